@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <kit/picture.hpp>
 #include <umbral/core/ray.hpp>
+#include <umbral/record/variation.hpp>
 
 /// Pictures of what rays meet, for any unit that finds where.
 namespace umbral::raytracing {
@@ -13,6 +14,14 @@ struct Camera {
     glm::vec3 target;
     float half_height;
 };
+
+/// Another place for the camera, if inputs are to vary: about its target, as high and as far away.
+inline Camera varied(Variation& vary, Camera camera)
+{
+    camera.eye = vary ? camera.target + vary.turn({0, 1, 0}, 0.6F) * (camera.eye - camera.target) : camera.eye;
+    camera.half_height = vary.scaled(camera.half_height, 1.1F);
+    return camera;
+}
 
 /// The ray of unit direction through a place of a picture `width` x `height`: (0, 0) is its upper left corner, and the
 /// middle of pixel (x, y) is (x + 0.5, y + 0.5).

@@ -5,6 +5,7 @@
 #include <string>
 #include <umbral/projections/stereo.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 
 #include "../island.hpp"
 #include "../volumes.hpp"

@@ -6,6 +6,7 @@
 #include <kit/drawing.hpp>
 #include <umbral/projections/viewport.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <vector>
 
 /// The goal picture of this unit: a window of few pixels, magnified, with three viewports that show one flower.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <umbral/record/variation.hpp>
+
 #include "stage.hpp"
 
 /// What the cases of raytracing/fragment-shader show.

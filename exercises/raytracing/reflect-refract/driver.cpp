@@ -21,7 +21,7 @@ void record_refracted(Recorder& out, const SurfaceGlance& glance)
     for (int i = 0; i < 3; ++i) out.append("refracted", t ? std::optional<float>((*t)[i]) : std::nullopt);
 }
 
-void record_by_hand(Recorder& out)
+void record_by_hand(Variation& vary, Recorder& out)
 {
     const float half = 0.70710678F;
     const std::pair<glm::vec3, glm::vec3> mirrors[] = {
@@ -29,7 +29,11 @@ void record_by_hand(Recorder& out)
         {{0, 0, 1}, {0, 0, 1}},       {{0, 0.8F, 0.6F}, {0, 0, -1}}, {{1, 0, 0}, {half, 0, half}},
         {{1, 0, 0}, {0, 1, 0}},       {{0, 1, 0}, {0, half, -half}}, {{0, -0.6F, 0.8F}, {0.6F, 0.8F, 0}},
     };
-    for (const auto& [v, n] : mirrors) record_mirrored(out, v, n);
+    // Turned by quarters of a turn, which round nothing.
+    for (const auto& [v, n] : mirrors) {
+        const ExactMap map = vary.exact_map(0);
+        record_mirrored(out, map.place(v), map.place(n));
+    }
 
     const SurfaceGlance glances[] = {
         {{half, half, 0}, {0, 1, 0}, 1, 1.5F},
@@ -46,11 +50,17 @@ void record_by_hand(Recorder& out)
         {{1, 0, 0}, {0, 1, 0}, 1.5F, 1},
         {{1, 0, 0}, {0, 1, 0}, 1.25F, 1.25F},
     };
-    for (const SurfaceGlance& glance : glances) record_refracted(out, glance);
+    for (const SurfaceGlance& glance : glances) {
+        const ExactMap map = vary.exact_map(0);
+        record_refracted(out, {map.place(glance.v), map.place(glance.n), glance.outside, glance.inside});
+    }
 
     const std::pair<float, float> media[] = {{1.5F, 1},      {1.33F, 1},    {1, 1.5F}, {2, 1},        {1.5F, 1.5F},
                                              {2.42F, 1.33F}, {0.75F, 0.5F}, {1, 1},    {1.33F, 1.5F}, {4, 1.5F}};
-    for (const auto& [from, into] : media) out.append("critical", ask<critical_angle>(out, from, into));
+    for (const auto& [from, into] : media) {
+        const float other = from == into ? into : vary.scaled(into, 1.04F);
+        out.append("critical", ask<critical_angle>(out, from, other));
+    }
 }
 
 void record_random(Random& random, Recorder& out)
@@ -134,11 +144,11 @@ void record_critical(Random& random, Recorder& out)
     for (const SurfaceGlance& glance : critical_glances(random, 200)) record_refracted(out, glance);
 }
 
-void record_picture(Recorder& out)
+void record_picture(Variation& vary, Recorder& out)
 {
     constexpr int width = 288;
     constexpr int height = 192;
-    const Camera camera{{0.35F, 1.75F, 6.6F}, {0, 0.86F, 0}, 0.335F};
+    const Camera camera = varied(vary, {{0.35F, 1.75F, 6.6F}, {0, 0.86F, 0}, 0.335F});
     out.image("glass", ray_traced(width, height, camera,
                                   [](const Ray& ray) { return glass_light(ray.origin, ray.direction, 7); }));
 }
@@ -146,13 +156,13 @@ void record_picture(Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { record_by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { record_by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"total reflection", [](Case& c, Recorder& out) { record_total(c.random, out); }},
     {"edges", [](Case& c, Recorder& out) { record_edges(c.random, out); }},
     {"lengths", [](Case& c, Recorder& out) { record_lengths(c.random, out); }},
     {"near the critical angle", [](Case& c, Recorder& out) { record_critical(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+    {"picture", [](Case& c, Recorder& out) { record_picture(c.vary, out); }},
 };
 
 }

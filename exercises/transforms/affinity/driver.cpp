@@ -14,7 +14,7 @@ using namespace transforms;
 void record_matrix(Recorder& out, const Pairs& pairs) { out.append("matrix", ask<affine_from_points>(out, pairs)); }
 
 // Maps of the unit points and of others that a hand can find, and the defects of small parallelograms.
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
     const std::vector<glm::vec3> unit = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const std::vector<glm::vec3> other = {{1, 1, 0}, {2, 1, 0}, {1, 3, 0}, {1, 1, -1}};
@@ -23,14 +23,18 @@ void record_known(Recorder& out)
                                {{0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {1, 2, 3, 1}},
                                {{2, 0, 0, 0}, {1, 1, 0, 0}, {0, 0, -1, 0}, {0, 0, 4, 1}},
                                {{1, 2, 3, 0}, {0, 1, 4, 0}, {5, 6, 0, 0}, {-1, 0, 1, 1}}};
-    for (const glm::dmat4& map : maps) {
+    for (glm::dmat4 map : maps) {
+        map[3] += glm::dvec4(by_quarters(vary, glm::vec3(0)), 0);
         record_matrix(out, pairs_of(unit, map));
         record_matrix(out, pairs_of(other, map));
     }
     const std::array<glm::vec3, 4> images[] = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}},
                                                {{{1, 2, 3}, {4, 2, 3}, {1, 0, 5}, {4, 0, 6}}},
                                                {{{2, 0, 1}, {0, 1, 0}, {5, 5, 5}, {1, -1, 2}}}};
-    for (const auto& corners : images) out.append("defect", ask<parallelogram_defect>(out, corners));
+    for (std::array<glm::vec3, 4> corners : images) {
+        for (glm::vec3& corner : corners) corner = by_quarters(vary, corner);
+        out.append("defect", ask<parallelogram_defect>(out, corners));
+    }
 }
 
 void record_random(Random& random, Recorder& out)
@@ -228,7 +232,7 @@ void record_far_affinity(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"many", [](Case& c, Recorder& out) { record_many(c.random, out); }},
     {"planes", [](Case& c, Recorder& out) { record_planes(c.random, out); }},

@@ -93,20 +93,21 @@ void record_at_rest(Recorder& out, Random& random)
 }
 
 // One joint at a time, by much, by little, and back to rest: what else moves with it?
-void record_joints(Recorder& out)
+void record_joints(Variation& vary, Recorder& out)
 {
     record_names(out);
     const std::unique_ptr<Android> android = ask_new<make_android>(out, "android");
     if (!android) return;
-    const Start start{.color = {0.2F, 0.7F, 0.3F}};
+    const Start start{.color = vary.near(glm::vec3(0.2F, 0.7F, 0.3F), 0.15F)};
     using Set = void(Recorder&, Android&, double);
     constexpr std::array<Set*, 3> setters = {
         [](Recorder& o, Android& a, double angle) { ask<&Android::set_left_arm>(o, a, angle); },
         [](Recorder& o, Android& a, double angle) { ask<&Android::set_right_arm>(o, a, angle); },
         [](Recorder& o, Android& a, double angle) { ask<&Android::set_head>(o, a, angle); }};
     for (Set* const set : setters) {
+        const double more = vary.near(1.0, 0.3);
         for (const double angle : {0.5, 0.5004, -1.25, 0.0}) {
-            set(out, *android, angle);
+            set(out, *android, more * angle);
             record(out, *android, start);
         }
     }
@@ -172,11 +173,11 @@ void record_long_dance(Recorder& out, Random& random)
 
 const Driver driver = {
     {"at rest", [](Case& c, Recorder& out) { record_at_rest(out, c.random); }},
-    {"joints", [](Case&, Recorder& out) { record_joints(out); }},
+    {"joints", [](Case& c, Recorder& out) { record_joints(c.vary, out); }},
     {"poses", [](Case& c, Recorder& out) { record_poses(out, c.random); }},
     {"two androids", [](Case& c, Recorder& out) { record_two(out, c.random); }},
     {"long dance", [](Case& c, Recorder& out) { record_long_dance(out, c.random); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_parade(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_parade(c.vary, out)); }},
 };
 
 }

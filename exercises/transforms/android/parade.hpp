@@ -2,6 +2,7 @@
 
 #include <kit/double_frame.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/transforms/android.hpp>
 
 #include "../gl_pipelines.hpp"
@@ -17,7 +18,7 @@ inline glm::mat4 parade_view()
 inline glm::mat4 parade_projection() { return glm::perspective(glm::radians(26.0F), 1.75F, 1.0F, 60.0F); }
 
 /// Five poses, each of them set on the same android, on round stands.
-inline void paint_parade(Recorder& out, Pipeline& pipeline, Android& android)
+inline void paint_parade(Variation& vary, Recorder& out, Pipeline& pipeline, Android& android)
 {
     struct Pose {
         glm::vec3 place;
@@ -32,11 +33,11 @@ inline void paint_parade(Recorder& out, Pipeline& pipeline, Android& android)
                           {{0, 0, 1.2F}, 0, {0.55F, 0.74F, 0.18F}, 0, 0, 0}};
     pipeline.set_view(parade_view());
     for (const Pose& pose : poses) {
-        ask<&Android::set_left_arm>(out, android, pose.left);
-        ask<&Android::set_right_arm>(out, android, pose.right);
-        ask<&Android::set_head>(out, android, pose.head);
+        ask<&Android::set_left_arm>(out, android, vary.near(pose.left, 0.5));
+        ask<&Android::set_right_arm>(out, android, vary.near(pose.right, 0.5));
+        ask<&Android::set_head>(out, android, vary.near(pose.head, 0.5));
         pipeline.push();
-        pipeline.compose(glm::translate(glm::mat4(1), pose.place));
+        pipeline.compose(glm::translate(glm::mat4(1), pose.place + vary.near(glm::vec3(0), 0.3F)));
         pipeline.push();
         pipeline.set_color({0.62F, 0.66F, 0.72F});
         pipeline.compose(glm::translate(glm::mat4(1), {0, -1.65F, 0}));
@@ -51,13 +52,13 @@ inline void paint_parade(Recorder& out, Pipeline& pipeline, Android& android)
 }
 
 /// 560 x 320 pixels, by the programmable pipeline.
-inline Image draw_parade(Recorder& out)
+inline Image draw_parade(Variation& vary, Recorder& out)
 {
     const DoubleFrame frame(560, 320, parade_background);
     glEnable(GL_DEPTH_TEST);
     const std::unique_ptr<Android> android = ask_new<make_android>(out, "android");
     ProgrammablePipeline pipeline(make_matrix_stack(), parade_projection(), parade_background, 2);
-    if (android) paint_parade(out, pipeline, *android);
+    if (android) paint_parade(vary, out, pipeline, *android);
     return frame.picture();
 }
 

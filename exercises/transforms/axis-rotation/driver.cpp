@@ -15,17 +15,18 @@ using namespace transforms;
 constexpr float pi = std::numbers::pi_v<float>;
 
 // Turns whose results a student can work out by hand; Rot_x[23°], Rot_y[60°] and Rot_z[45°] are the course's examples.
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
     const AxisAngle turns[] = {
         {{0, 0, 1}, pi / 2},         {{1, 0, 0}, pi / 2}, {{0, 1, 0}, pi / 2}, {{1, 1, 1}, 2 * pi / 3},
         {{1, 0, 0}, 23 * pi / 180},  {{0, 1, 0}, pi / 3}, {{0, 0, 1}, pi / 4}, {{0, 0, -1}, pi / 2},
         {{0, 0, 1}, -pi / 2},        {{0, 3, 4}, pi},     {{2, 0, 0}, 1},      {{1, -1, 0}, 0.5F},
         {{-0.3F, 0.4F, 1.2F}, 2.5F}, {{0, 0, 7}, 0}};
-    for (const AxisAngle& turn : turns) {
+    for (const AxisAngle& written : turns) {
+        const AxisAngle turn{vary.exact_map(0).place(written.axis), vary.scaled(written.angle, 1.1F)};
         out.append("matrix", ask<rotation_matrix>(out, turn));
         for (const glm::vec3& vector : {glm::vec3(1, 0, 0), {0, 2, 0}, {1, 2, 3}})
-            out.append("vector", ask<rotate_vector>(out, vector, turn));
+            out.append("vector", ask<rotate_vector>(out, by_quarters(vary, vector), turn));
     }
 }
 
@@ -136,7 +137,7 @@ void record_long_chains(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"long and short axes", [](Case& c, Recorder& out) { record_lengths(c.random, out); }},
     {"many turns", [](Case& c, Recorder& out) { record_angles(c.random, out); }},
@@ -144,7 +145,7 @@ const Driver driver = {
     {"tiny angles", [](Case& c, Recorder& out) { record_tiny(c.random, out); }},
     {"chains", [](Case& c, Recorder& out) { record_chains(c.random, out); }},
     {"long chains", [](Case& c, Recorder& out) { record_long_chains(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_flower(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_flower(c.vary, out)); }},
 };
 
 }

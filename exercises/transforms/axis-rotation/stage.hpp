@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <kit/stage.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/transforms/rotation.hpp>
 #include <vector>
 
@@ -61,10 +62,10 @@ inline glm::vec3 hue(float turn)
 }
 
 /// 320 x 320 pixels.
-inline Image draw_flower(Recorder& out)
+inline Image draw_flower(Variation& vary, Recorder& out)
 {
     const Stage stage(320, 320, {0.62F, 0.74F, 0.86F});
-    stage.look({0.9F, 3.1F, 4.6F}, {0.28F, 0.68F, 0.2F}, 36);
+    stage.look(vary.near(glm::vec3(0.9F, 3.1F, 4.6F), 0.9F), {0.28F, 0.68F, 0.2F}, 36);
     const gl::Mesh petal = uploaded(petal_shape());
     const gl::Mesh box = uploaded(shapes::box());
     const gl::Mesh arrow = uploaded(shapes::arrow());

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <kit/stage.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/transforms/basic_matrices.hpp>
 #include <vector>
 

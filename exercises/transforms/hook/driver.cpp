@@ -121,13 +121,16 @@ void record_both(Recorder& out, const std::vector<Ends>& all, Random* starts = n
 }
 
 // Along the axes, and between them. Lengths are powers of two and places multiples of 1/4: nothing need be rounded.
-std::vector<Ends> all_directions()
+std::vector<Ends> all_directions(Variation& vary)
 {
     std::vector<Ends> all;
-    for (const float size : {1.0F, 2.0F, 0.25F})
-        for (const glm::vec2& from : {glm::vec2(0, 0), glm::vec2(3, -1.25F)})
-            for (const glm::vec2& way : {glm::vec2(0, 1), glm::vec2(1, 0), glm::vec2(0, -1), glm::vec2(-1, 0)})
+    for (const float written : {1.0F, 2.0F, 0.25F})
+        for (const glm::vec2& corner : {glm::vec2(0, 0), glm::vec2(3, -1.25F)})
+            for (const glm::vec2& way : {glm::vec2(0, 1), glm::vec2(1, 0), glm::vec2(0, -1), glm::vec2(-1, 0)}) {
+                const float size = written * vary.one_of(1.0F, std::array{0.5F, 2.0F, 4.0F});
+                const glm::vec2 from = corner + 0.25F * glm::vec2(vary.near(glm::ivec2(0), 6));
                 all.push_back({glm::vec3(from, 1), glm::vec3(from + size * way, 1)});
+            }
     return all;
 }
 
@@ -201,7 +204,7 @@ void record_circles(Recorder& out, std::initializer_list<unsigned> counts, Rando
 const Driver driver = {
     {"hook", [](Case& c, Recorder& out) { record_hooks(out, c.random); }},
     {"four hooks", [](Case& c, Recorder& out) { record_four_hooks(out, c.random); }},
-    {"directions", [](Case&, Recorder& out) { record_both(out, all_directions()); }},
+    {"directions", [](Case& c, Recorder& out) { record_both(out, all_directions(c.vary)); }},
     {"two places",
      [](Case& c, Recorder& out) {
          const std::vector<Ends> pairs = random_pairs(c.random, 80);

@@ -4,6 +4,7 @@
 #include <kit/stage.hpp>
 #include <list>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/transforms/normal_matrix.hpp>
 #include <vector>
 
@@ -50,10 +51,10 @@ inline std::vector<Pebble> pebbles(Recorder& out)
 }
 
 /// 320 x 320 pixels.
-inline Image draw_pebbles(Recorder& out)
+inline Image draw_pebbles(Variation& vary, Recorder& out)
 {
     const Stage stage(320, 320, {0.675F, 0.743F, 0.806F});
-    stage.look({2.2F, 2.6F, 5.6F}, {0.1F, 0.9F, 0.1F}, 36);
+    stage.look(vary.near(glm::vec3(2.2F, 2.6F, 5.6F), 1.0F), {0.1F, 0.9F, 0.1F}, 36);
     const gl::Mesh box = uploaded(shapes::box());
     std::list<gl::Mesh> meshes;
     std::vector<Stage::Thing> things;

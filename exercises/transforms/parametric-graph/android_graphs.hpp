@@ -1,6 +1,7 @@
 #pragma once
 
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 
 #include "../solid_rows.hpp"
 #include "parts.hpp"

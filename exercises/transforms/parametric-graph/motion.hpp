@@ -3,6 +3,7 @@
 #include <kit/double_frame.hpp>
 #include <numbers>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 
 #include "../gl_pipelines.hpp"
 #include "parts.hpp"

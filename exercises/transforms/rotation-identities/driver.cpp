@@ -3,6 +3,7 @@
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
+#include "../support.hpp"
 #include "globe.hpp"
 
 namespace umbral {
@@ -32,13 +33,15 @@ Sized any_size(const glm::vec3& vector, Random& random)
 }
 
 // The course's Rot_x[23°], Rot_y[60°], Rot_z[45°], and turns that a hand can do.
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
     for (const WorldAxis axis : axes) {
-        for (const float degrees : {0.0F, 90.0F, -90.0F, 180.0F, 23.0F, 60.0F, 45.0F, 30.0F, 0.01F}) {
+        for (const float written : {0.0F, 90.0F, -90.0F, 180.0F, 23.0F, 60.0F, 45.0F, 30.0F, 0.01F}) {
+            // Quarter turns are exact.
+            const float degrees = std::fmod(written, 90.0F) == 0 ? written : vary.scaled(written, 1.3F);
             out.append("matrix", ask<elementary_matrix>(out, {axis, degrees}));
             for (const glm::vec3& v : {glm::vec3(1, 2, 3), {0, 0, 4}})
-                out.append("vector", ask<elementary_rotation>(out, v, {axis, degrees}));
+                out.append("vector", ask<elementary_rotation>(out, by_quarters(vary, v), {axis, degrees}));
         }
     }
 }
@@ -137,14 +140,14 @@ void record_long_chains(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"identities", [](Case& c, Recorder& out) { record_identities(c.random, out); }},
     {"quarter turns", [](Case& c, Recorder& out) { record_quarter_turns(c.random, out); }},
     {"many turns", [](Case& c, Recorder& out) { record_many_turns(c.random, out); }},
     {"chains", [](Case& c, Recorder& out) { record_chains(c.random, out); }},
     {"long chains", [](Case& c, Recorder& out) { record_long_chains(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("globe", draw_globe(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("globe", draw_globe(c.vary, out)); }},
 };
 
 }

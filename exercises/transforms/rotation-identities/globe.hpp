@@ -4,6 +4,7 @@
 #include <cmath>
 #include <kit/drawing.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/transforms/rotation_identities.hpp>
 
 /// What a point draws on a sphere that turns about two axes at once: the far side faint, the near side bright.
@@ -20,7 +21,7 @@ struct Curve {
     double width;
 };
 
-inline Image draw_globe(Recorder& out)
+inline Image draw_globe(Variation& vary, Recorder& out)
 {
     constexpr int steps = 1400;
     const std::array<Curve, 6> curves = {{
@@ -33,7 +34,7 @@ inline Image draw_globe(Recorder& out)
     }};
     Drawing drawing(400, 400, {-1.12, -1.12}, {1.12, 1.12});
     drawing.disc({0, 0}, 179, {0.09F, 0.11F, 0.17F});
-    const ElementaryTurn camera[] = {{WorldAxis::y, -32}, {WorldAxis::x, 24}};
+    const ElementaryTurn camera[] = {{WorldAxis::y, vary.near(-32.0F, 20.0F)}, {WorldAxis::x, vary.near(24.0F, 15.0F)}};
     for (const bool near : {false, true}) {
         for (const Curve& curve : curves) {
             glm::vec3 last(0);

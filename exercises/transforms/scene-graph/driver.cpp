@@ -4,6 +4,7 @@
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
 
+#include "../support.hpp"
 #include "arc_graphs.hpp"
 #include "street.hpp"
 
@@ -23,16 +24,20 @@ void record_instances(Recorder& out, const std::vector<Instance>& instances)
 }
 
 // The facade, its window alone, and rules in small: order, scope, an empty node, a transformation that nothing follows.
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
+    const auto q = [&](float number) { return by_quarters(vary, number); };
     SceneGraph graph = facade();
+    for (glm::mat4& matrix : graph.transformations) matrix[3] += glm::vec4(vary.near(glm::vec3(0), 0.4F), 0);
     record_instances(out, ask<expand>(out, graph, plenty));
     graph.root = 2;
     record_instances(out, ask<expand>(out, graph, plenty));
     GraphBuilder b;
     const std::uint32_t empty = b.add_node({});
-    const std::uint32_t inner = b.add_node({object(1), b.move(1, 2), object(2), node(empty), b.scale(3, 3)});
-    b.graph.root = b.add_node({b.scale(2, 5), node(inner), object(3), b.move(10, 20), node(inner), object(4)});
+    const std::uint32_t inner =
+        b.add_node({object(1), b.move(q(1), q(2)), object(2), node(empty), b.scale(q(3), q(3))});
+    b.graph.root =
+        b.add_node({b.scale(q(2), q(5)), node(inner), object(3), b.move(q(10), q(20)), node(inner), object(4)});
     record_instances(out, ask<expand>(out, b.graph, plenty));
     b.graph.root = empty;
     record_instances(out, ask<expand>(out, b.graph, plenty));
@@ -181,7 +186,7 @@ std::vector<ArcGraph> random_arc_graphs(Random& random)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
     {"random",
      [](Case& c, Recorder& out) {
          for (int i = 0; i < 30; ++i) record_instances(out, ask<expand>(out, random_graph(c.random), plenty));

@@ -2,6 +2,7 @@
 
 #include <kit/double_frame.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/transforms/tree.hpp>
 
 #include "../gl_pipelines.hpp"
