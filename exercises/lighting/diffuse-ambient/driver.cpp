@@ -1,3 +1,4 @@
+#include <array>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -8,8 +9,6 @@ namespace umbral {
 namespace {
 
 using namespace lighting;
-
-const Material painted{{0.125F, 0, 0.25F}, {0.25F, 0.5F, 0.125F}, {0.5F, 0.25F, 1}};
 
 // One question about the light at a place.
 struct Question {
@@ -24,21 +23,31 @@ void record(Recorder& out, const Question& q, std::string_view name = "light")
     out.append(name, ask<matt_reflection>(out, q.at, q.material, q.lights, q.global_ambient));
 }
 
-void by_hand(Recorder& out)
+// Numbers that a hand can work out. Varied, directions are turned exactly, and colours are darker.
+void by_hand(Variation& vary, Recorder& out)
 {
     const std::pair<Light, glm::vec3> pairs[] = {{{{0, 0, 5, 1}}, {0, 0, 1}},  {{{4, 5, 2, 1}}, {1, 1, 2}},
                                                  {{{3, 0, 4, 0}}, {7, -2, 1}}, {{{0, -2, 0, 0}}, {5, 5, 5}},
                                                  {{{0, 0, 0, 1}}, {2, 2, 1}},  {{{-1, 4, 9, 1}}, {1, 7, 3}},
                                                  {{{2, 6, 3, 0}}, {1, 1, 1}}};
-    for (const auto& [light, point] : pairs) out.append("towards", ask<direction_to_light>(out, light, point));
+    for (const auto& [light, point] : pairs) {
+        const ExactMap map = vary.exact_map(0);
+        const Light turned{glm::vec4(map.place(glm::vec3(light.position)), light.position.w), light.color};
+        out.append("towards", ask<direction_to_light>(out, turned, map.place(point)));
+    }
 
     const SurfacePoint up{{0, 0, 1}, {0, 0, 1}};
-    const Light sun{{0, 0.6F, 0.8F, 0}, {1, 0.5F, 2}};
-    const Light lamp{{4, 0, 4, 1}, {0.5F, 1, 0.25F}};
+    const auto color = [&](const glm::vec3& written) {
+        return written * vary.one_of(1.0F, std::array{0.5F, 0.625F, 0.75F, 0.875F});
+    };
+    const Light sun{{0, 0.6F, 0.8F, 0}, color({1, 0.5F, 2})};
+    const Light lamp{{4, 0, 4, 1}, color({0.5F, 1, 0.25F})};
+    const Material painted{color({0.125F, 0, 0.25F}), color({0.25F, 0.5F, 0.125F}), color({0.5F, 0.25F, 1})};
+    const Material matt{{}, {}, color({1, 0.5F, 0.25F})};
     const std::vector<Light> sets[] = {{}, {sun}, {lamp}, {sun, lamp}, {{{0, 0, -1, 0}, {1, 1, 1}}}};
     for (const std::vector<Light>& lights : sets) {
         record(out, {up, painted, lights, glm::vec3(0.2F)});
-        record(out, {up, {{}, {}, {1, 0.5F, 0.25F}}, lights, glm::vec3(0.2F)});
+        record(out, {up, matt, lights, glm::vec3(0.2F)});
     }
 }
 
@@ -197,7 +206,7 @@ void record_laws(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
     {"behind", [](Case& c, Recorder& out) { behind(c.random, out); }},
     {"lengths", [](Case& c, Recorder& out) { lengths(c.random, out); }},
@@ -206,7 +215,7 @@ const Driver driver = {
     {"laws", [](Case& c, Recorder& out) { record_laws(c.random, out); }},
     {"grazing", [](Case& c, Recorder& out) { grazing(c.random, out); }},
     {"tiny and huge", [](Case& c, Recorder& out) { tiny_and_huge(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("orrery", orrery(400, 260)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("orrery", orrery(400, 260, c.vary)); }},
 };
 
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <umbral/lighting/diffuse.hpp>
+#include <umbral/record/variation.hpp>
 #include <vector>
 
 #include "../visible.hpp"
@@ -26,7 +27,8 @@ inline constexpr std::array<Planet, 6> planets = {{{0.95F, 2.45F, 0.15F, {0.75F,
 
 inline Material chalk(const glm::vec3& color) { return {glm::vec3(0), 0.02F * color, color}; }
 
-inline Image orrery(int width, int height)
+/// Varied, the planets have moved on.
+inline Image orrery(int width, int height, Variation vary = {})
 {
     View view = empty_view(width, height);
     constexpr glm::vec3 eye(0, 4.2F, 9.3F);
@@ -45,7 +47,8 @@ inline Image orrery(int width, int height)
         draw(view, camera, torus(160, 10, 0.017F / planet.orbit), lying * placed({0, 0, 0}, glm::vec3(planet.orbit)),
              static_cast<int>(materials.size()) - 1);
         materials.push_back(chalk(planet.color));
-        const glm::vec3 place = planet.orbit * glm::vec3(std::cos(planet.angle), 0, -std::sin(planet.angle));
+        const float angle = vary.near(planet.angle, 1.5F);
+        const glm::vec3 place = planet.orbit * glm::vec3(std::cos(angle), 0, -std::sin(angle));
         draw(view, camera, ball, placed(place, glm::vec3(planet.radius)), static_cast<int>(materials.size()) - 1);
         if (&planet != &planets.back()) continue;
         materials.push_back(chalk({0.70F, 0.56F, 0.36F}));

@@ -1,3 +1,4 @@
+#include <kit/varied.hpp>
 #include <string>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
@@ -47,29 +48,47 @@ void record_keys(Recorder& out, const LightAngles& initial, float step, const st
     for (const char key : keys) record_key(out, *control, key);
 }
 
-void by_hand(Recorder& out)
+// Half a turn of longitude more, or a quarter more or less.
+LightAngles turned(Variation& vary, LightAngles angles)
+{
+    angles.longitude_degrees += vary.one_of(0.0F, std::array{-90.0F, 90.0F, 180.0F});
+    return angles;
+}
+
+// So many quarter turns of longitude more; no zero that has a sign comes of it.
+glm::vec3 turned(glm::vec3 direction, int quarters)
+{
+    for (; quarters > 0; --quarters) direction = {direction.z, direction.y, 0 - direction.x};
+    return direction;
+}
+
+// Varied, longitudes are others by quarter turns, and directions come in another order.
+void by_hand(Variation& vary, Recorder& out)
 {
     for (const LightAngles& angles : {LightAngles{0, 0}, {90, 0}, {180, 0}, {270, 0}, {0, 90}, {0, -90}, {77, 90}})
-        record_direction(out, angles);
+        record_direction(out, turned(vary, angles));
     for (const LightAngles& angles : {LightAngles{30, 0}, {0, 30}, {90, 60}, {-90, -30}, {45, 45}, {360, 30}, {450, 0}})
-        record_direction(out, angles);
+        record_direction(out, turned(vary, angles));
     // Beyond the poles it is the other side.
-    for (const LightAngles& angles : {LightAngles{0, 120}, {90, -135}, {-60, 180}}) record_direction(out, angles);
-    const glm::vec3 directions[] = {{0, 0, 1},  {1, 0, 0},  {0, 0, -1}, {-1, 0, 0}, {0, 1, 0},   {0, -1, 0},
-                                    {1, 0, 1},  {-1, 0, 1}, {0, 2, 2},  {0, -3, 3}, {-2, 0, -2}, {0, 0, 0},
-                                    {0, 0, 25}, {0, 7, -7}, {-4, 0, 0}, {0, -5, 0}};
-    for (const glm::vec3& direction : directions) record_angles(out, direction);
-    record_angles(out, {-0.0F, 3, -0.0F});
-    record_angles(out, {-0.0F, 0, 2});
-    record_angles(out, {0, -0.0F, -2});
-    record_angles(out, {-1e-30F, 0, 1});
-    // Next to the longitude 0, on either side.
-    record_angles(out, {0.01F, 0, 1});
-    record_angles(out, {-0.01F, 0.01F, 1});
-    record_angles(out, {-1e-6F, 0, 1});
-    // Straight up and down, by less than a ten-thousandth.
-    record_angles(out, {0, 1e-5F, 0});
-    record_angles(out, {0, -1e-5F, 0});
+    for (const LightAngles& angles : {LightAngles{0, 120}, {90, -135}, {-60, 180}})
+        record_direction(out, turned(vary, angles));
+    std::vector<glm::vec3> directions = {{0, 0, 1},  {1, 0, 0},  {0, 0, -1}, {-1, 0, 0}, {0, 1, 0},   {0, -1, 0},
+                                         {1, 0, 1},  {-1, 0, 1}, {0, 2, 2},  {0, -3, 3}, {-2, 0, -2}, {0, 0, 0},
+                                         {0, 0, 25}, {0, 7, -7}, {-4, 0, 0}, {0, -5, 0}};
+    for (glm::vec3& direction : directions) direction = turned(direction, vary.one_of(0, std::array{1, 2, 3}));
+    const glm::vec3 hard[] = {{-0.0F, 3, -0.0F},
+                              {-0.0F, 0, 2},
+                              {0, -0.0F, -2},
+                              {-1e-30F, 0, 1},
+                              // Next to the longitude 0, on either side.
+                              {0.01F, 0, 1},
+                              {-0.01F, 0.01F, 1},
+                              {-1e-6F, 0, 1},
+                              // Straight up and down, by less than a ten-thousandth.
+                              {0, 1e-5F, 0},
+                              {0, -1e-5F, 0}};
+    directions.insert(directions.end(), std::begin(hard), std::end(hard));
+    for (const glm::vec3& direction : in_random_order(vary, std::move(directions))) record_angles(out, direction);
 }
 
 // Of directions: longitudes a degree off the place where 360 becomes 0, latitudes up to 80 degrees. Of angles: all,
@@ -88,7 +107,7 @@ void at_random(Random& random, Recorder& out)
     }
 }
 
-void frames_by_hand(Recorder& out)
+void frames_by_hand(Variation& vary, Recorder& out)
 {
     // A camera on the positive x axis that looks at the origin: what is +x in the world is behind it.
     const glm::mat4 from_the_right(glm::vec4(0, 0, 1, 0), glm::vec4(0, 1, 0, 0), glm::vec4(-1, 0, 0, 0),
@@ -98,7 +117,7 @@ void frames_by_hand(Recorder& out)
                                glm::vec4(2, 0, -7, 1));
     for (const glm::mat4& view : {from_the_right, from_above})
         for (const LightAngles& angles : {LightAngles{0, 0}, {90, 0}, {0, 90}, {180, -30}})
-            record_in_frames(out, angles, view);
+            record_in_frames(out, turned(vary, angles), view);
 }
 
 void record_frames(Random& random, Recorder& out)
@@ -110,25 +129,56 @@ void record_frames(Random& random, Recorder& out)
     }
 }
 
-// Steps of whole and of half degrees: exact in float. The latitude meets its limits, the longitude goes round.
-void keys_by_hand(Recorder& out)
+// Keys that are pressed in turn, from some angles on.
+struct Session {
+    LightAngles initial;
+    float step = 0;
+    std::string keys;
+};
+
+// The session mirrored: of longitudes, latitudes or both, each is its negative, and keys that turn one way those that
+// turn the other way. As written unless inputs are to vary.
+Session mirrored(Variation& vary, Session session)
 {
-    record_keys(out, {0, 0}, 5, "xXaAzZcCC");
-    record_keys(out, {350, 85}, 5, "xxxaaazaZx");
-    record_keys(out, {10, -80}, 7.5F, "cczZzacAx");
-    record_keys(out, {-30, 0}, 45, "xaaaacczzzzzxxxx");
-    record_keys(out, {725, 90}, 180, "azxxczzaac");
-    record_keys(out, {0, -90}, 90, "zacAaC");
-    record_keys(out, {500, 89.75F}, 0.5F, "xcaAzc");
-    record_keys(out, {-0.5F, 0}, 0.5F, "xxxccccx");
-    // Neighbours of the keys, in the alphabet and on the keyboard, are no keys.
-    record_keys(out, {120, 45}, 10, "bByYwWsSqQdDvV10 \n[{xZ");
-    // Neither are the keys with Ctrl, nor letters of other alphabets that share their last bits.
-    record_keys(out, {-60, 15}, 20,
-                "x\x01\x18z\x1A\x03\xC1\xE1"
-                "c\xDA\xFA\xD8\xF8"
-                "a\xC3\xE3"
-                "A");
+    const int which = vary.one_of(0, std::array{1, 2, 3});
+    if ((which & 1) != 0) session.initial.longitude_degrees = 0 - session.initial.longitude_degrees;
+    if ((which & 2) != 0) session.initial.latitude_degrees = 0 - session.initial.latitude_degrees;
+    for (char& key : session.keys)
+        for (const std::string_view pair : {"xc", "XC", "az", "AZ"}) {
+            const bool swaps = (which & (pair == "xc" || pair == "XC" ? 1 : 2)) != 0;
+            const std::size_t at = pair.find(key);
+            if (!swaps || at == std::string_view::npos) continue;
+            key = pair[1 - at];
+            break;
+        }
+    return session;
+}
+
+// Steps of whole and of half degrees: exact in float. The latitude meets its limits, the longitude goes round.
+void keys_by_hand(Variation& vary, Recorder& out)
+{
+    const std::vector<Session> sessions = {
+        {{0, 0}, 5, "xXaAzZcCC"},
+        {{350, 85}, 5, "xxxaaazaZx"},
+        {{10, -80}, 7.5F, "cczZzacAx"},
+        {{-30, 0}, 45, "xaaaacczzzzzxxxx"},
+        {{725, 90}, 180, "azxxczzaac"},
+        {{0, -90}, 90, "zacAaC"},
+        {{500, 89.75F}, 0.5F, "xcaAzc"},
+        {{-0.5F, 0}, 0.5F, "xxxccccx"},
+        // Neighbours of the keys, in the alphabet and on the keyboard, are no keys.
+        {{120, 45}, 10, "bByYwWsSqQdDvV10 \n[{xZ"},
+        // Neither are the keys with Ctrl, nor letters of other alphabets that share their last bits.
+        {{-60, 15},
+         20,
+         "x\x01\x18z\x1A\x03\xC1\xE1"
+         "c\xDA\xFA\xD8\xF8"
+         "a\xC3\xE3"
+         "A"}};
+    for (const Session& written : in_random_order(vary, sessions)) {
+        const Session session = mirrored(vary, written);
+        record_keys(out, session.initial, session.step, session.keys);
+    }
 }
 
 void random_keys(Random& random, Recorder& out)
@@ -207,17 +257,17 @@ void many_keys(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
-    {"frames by hand", [](Case&, Recorder& out) { frames_by_hand(out); }},
+    {"frames by hand", [](Case& c, Recorder& out) { frames_by_hand(c.vary, out); }},
     {"frames", [](Case& c, Recorder& out) { record_frames(c.random, out); }},
-    {"keys by hand", [](Case&, Recorder& out) { keys_by_hand(out); }},
+    {"keys by hand", [](Case& c, Recorder& out) { keys_by_hand(c.vary, out); }},
     {"random keys", [](Case& c, Recorder& out) { random_keys(c.random, out); }},
     {"two lights", [](Case& c, Recorder& out) { two_controls(c.random, out); }},
     {"poles", [](Case& c, Recorder& out) { record_poles(c.random, out); }},
     {"many turns", [](Case& c, Recorder& out) { many_turns(c.random, out); }},
     {"many keys", [](Case& c, Recorder& out) { many_keys(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("moons", moons(400, 260)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("moons", moons(400, 260, c.vary)); }},
 };
 
 }

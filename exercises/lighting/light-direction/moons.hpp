@@ -6,6 +6,7 @@
 #include <optional>
 #include <umbral/core/random.hpp>
 #include <umbral/lighting/light_direction.hpp>
+#include <umbral/record/variation.hpp>
 #include <vector>
 
 /// The goal picture: a moon between twelve pictures of itself, taken by a camera that goes round it. The sun of those
@@ -78,7 +79,8 @@ inline void paint_moon(Grid<glm::vec3>& picture, const std::vector<Crater>& crat
         }
 }
 
-inline Image moons(int width, int height)
+/// Varied, the sun stands elsewhere, and so does the camera before the moon in the middle.
+inline Image moons(int width, int height, Variation vary = {})
 {
     Grid<glm::vec3> picture(2 * width, 2 * height, glm::vec3(0.0015F, 0.002F, 0.005F));
     Random random(12);
@@ -92,7 +94,7 @@ inline Image moons(int width, int height)
     const std::vector<Crater> all = craters();
     const glm::vec2 middle(width, height);
 
-    constexpr LightAngles sun{0, 8};
+    const LightAngles sun{vary.near(0.0F, 90.0F), vary.near(8.0F, 20.0F)};
     for (int i = 0; i < 12; ++i) {
         const float turned = glm::radians(30.0F * static_cast<float>(i));
         const glm::mat4 view =
@@ -105,7 +107,7 @@ inline Image moons(int width, int height)
     const std::unique_ptr<LightControl> control = make_light_control({0, 0}, 15);
     if (!control) return halved(encoded(picture));
     for (const char key : {'c', 'c', 'C', 'c', 'A', 'a'}) (void)control->press(key);
-    const glm::mat4 view = glm::rotate(glm::mat4(1), 0.6F, glm::vec3(0.2F, 1, 0));
+    const glm::mat4 view = glm::rotate(glm::mat4(1), vary.near(0.6F, 1.0F), glm::vec3(0.2F, 1, 0));
     paint_moon(picture, all, middle, 122, glm::mat3(view),
                direction_in_camera(control->angles(), LightFrame::camera, view), {1, 0.88F, 0.70F});
     return halved(encoded(picture));

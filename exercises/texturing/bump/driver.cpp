@@ -32,36 +32,49 @@ Grid<glm::vec4> heights_of(int width, int height, const std::vector<float>& heig
     return texture;
 }
 
-void by_hand(Recorder& out)
+// Numbers that a hand can work out. Varied, heights are other whole numbers, and triangles and tangents are turned
+// exactly.
+void by_hand(Variation& vary, Recorder& out)
 {
+    const auto heights = [&](int width, int height, std::vector<float> written) {
+        for (float& one : written) one += static_cast<float>(vary.near(0, 5));
+        return heights_of(width, height, written);
+    };
+    const auto record_turned = [&](FlatTriangle triangle) {
+        const ExactMap map = vary.exact_map(0);
+        for (glm::vec3& position : triangle.positions) position = map.place(position);
+        record_tangents(out, triangle);
+    };
     out.columns("slopes", "d_u, d_v");
-    const Grid<glm::vec4> field = heights_of(4, 2, {0, 1, 3, 0, 2, 0, 1, 4});
+    const Grid<glm::vec4> field = heights(4, 2, {0, 1, 3, 0, 2, 0, 1, 4});
     for (const glm::vec2 uv :
          {glm::vec2(0.375F, 0.25F), {0.375F, 0.75F}, {0.125F, 0.25F}, {0.875F, 0.75F}, {0.5F, 0.25F}, {0.625F, 0.5F}})
         for (const float k : {1.0F, -0.5F}) out.append("slopes", ask<slopes>(out, field, uv, k));
 
-    const Grid<glm::vec4> narrow = heights_of(2, 4, {0, 1, 2, 4, 1, 0, 3, 2});
+    const Grid<glm::vec4> narrow = heights(2, 4, {0, 1, 2, 4, 1, 0, 3, 2});
     for (const glm::vec2 uv : {glm::vec2(0.25F, 0.375F), {0.75F, 0.625F}, {0.5F, 0.125F}})
         out.append("slopes", ask<slopes>(out, narrow, uv, 1));
 
-    record_tangents(out, {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0}, {1, 0}, {0, 1}}}});
-    record_tangents(out, {{{{1, 2, 3}, {3, 2, 3}, {1, 2, 0}}}, {{{0, 0}, {0.5F, 0}, {0, 0.25F}}}});
-    record_tangents(out, {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{1, 0}, {0, 0}, {1, 1}}}});
-    record_tangents(out, {{{{0, 0, 0}, {2, 0, 1}, {0, 3, 0}}}, {{{0, 0}, {1, 1}, {0, 2}}}});
+    record_turned({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0}, {1, 0}, {0, 1}}}});
+    record_turned({{{{1, 2, 3}, {3, 2, 3}, {1, 2, 0}}}, {{{0, 0}, {0.5F, 0}, {0, 0.25F}}}});
+    record_turned({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{1, 0}, {0, 0}, {1, 1}}}});
+    record_turned({{{{0, 0, 0}, {2, 0, 1}, {0, 3, 0}}}, {{{0, 0}, {1, 1}, {0, 2}}}});
     // A cell of a fine mesh, 1/512 of the texture wide, and one that is mirrored and finer still.
     constexpr float fine = 1.0F / 512;
-    record_tangents(out, {{{{1, 0, 2}, {1 + fine, 0, 2}, {1, fine, 2}}},
-                          {{{0.5F, 0.25F}, {0.5F + fine, 0.25F}, {0.5F, 0.25F + fine}}}});
+    record_turned(
+        {{{{1, 0, 2}, {1 + fine, 0, 2}, {1, fine, 2}}}, {{{0.5F, 0.25F}, {0.5F + fine, 0.25F}, {0.5F, 0.25F + fine}}}});
     constexpr float finer = 1.0F / 16384;
-    record_tangents(out, {{{{0, 0, 0}, {0, 0, 2 * finer}, {0, finer, 0}}}, {{{0, 0}, {-finer, 0}, {0, finer}}}});
+    record_turned({{{{0, 0, 0}, {0, 0, 2 * finer}, {0, finer, 0}}}, {{{0, 0}, {-finer, 0}, {0, finer}}}});
 
     const Tangents flat{{1, 0, 0}, {0, 1, 0}};
     const Tangents skew{{2, 0, 0}, {1, 1, 0}};
     const Tangents mirrored{{-1, 0, 0}, {0, 1, 0}};
     const Tangents leaning{{2, 0, 1}, {0, 1, 0}};
     for (const Tangents& tangents : {flat, skew, mirrored, leaning})
-        for (const glm::vec2 slope : {glm::vec2(0, 0), {1, 0}, {0, 1}, {-2, 2}, {0.5F, -1}})
-            record_normal(out, {0, 0, 1}, tangents, slope);
+        for (const glm::vec2 slope : {glm::vec2(0, 0), {1, 0}, {0, 1}, {-2, 2}, {0.5F, -1}}) {
+            const ExactMap map = vary.exact_map(0);
+            record_normal(out, map.place({0, 0, 1}), {map.place(tangents.u), map.place(tangents.v)}, slope);
+        }
 }
 
 void random_slopes(Random& random, Recorder& out)
@@ -222,7 +235,7 @@ void extreme(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
     {"fields", [](Case& c, Recorder& out) { random_slopes(c.random, out); }},
     {"triangles",
      [](Case& c, Recorder& out) {
@@ -233,7 +246,7 @@ const Driver driver = {
     {"mirrored", [](Case& c, Recorder& out) { random_normals(c.random, out, 3, true); }},
     {"no tangents", [](Case& c, Recorder& out) { without_tangents(c.random, out); }},
     {"extreme", [](Case& c, Recorder& out) { extreme(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", picture(out, 400, 300)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", picture(out, 400, 300, c.vary)); }},
 };
 
 }

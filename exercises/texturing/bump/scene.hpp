@@ -3,6 +3,7 @@
 #include <kit/picture.hpp>
 #include <string>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/texturing/bump.hpp>
 
 #include "../support.hpp"
@@ -70,9 +71,9 @@ inline Surface surface_at(const glm::vec3& eye, const glm::vec3& direction)
     return {place, {0, 0, 1}, {{1.1F, 0, 0}, {0, 1.1F, 0}}, glm::vec2(place) / 1.1F, 0.06F};
 }
 
-inline glm::vec3 bump_color(const Grid<glm::vec4>& heights, const glm::vec3& eye, const glm::vec3& direction)
+inline glm::vec3 bump_color(const Grid<glm::vec4>& heights, const glm::vec3& to_light, const glm::vec3& eye,
+                            const glm::vec3& direction)
 {
-    const glm::vec3 to_light = normalize(glm::vec3(-0.85F, 0.75F, 0.62F));
     const Surface at = surface_at(eye, direction);
     const glm::vec2 relief = slopes(heights, at.uv, at.k);
     const glm::vec3 n = bumped_normal(at.normal, at.tangents, relief);
@@ -106,15 +107,17 @@ inline glm::vec3 bump_color(const Grid<glm::vec4>& heights, const glm::vec3& eye
            0.3F * rim * metal * sky;
 }
 
-/// One question, told in words: to note the heights for each of its pixels would take seconds.
-inline Image picture(Recorder& out, int width, int height)
+/// One question, told in words: to note the heights for each of its pixels would take seconds. Varied, eye and light
+/// are elsewhere.
+inline Image picture(Recorder& out, int width, int height, Variation vary = {})
 {
     ask_in_words(out, [&] {
         return "// a ball and a wall, " + std::to_string(width) + " x " + std::to_string(height) +
                " pixels: slopes and bumped_normal for each of them, four times";
     });
     const Grid<glm::vec4> heights = plaster_heights(64);
-    const glm::vec3 eye(0.3F, 0.35F, 5.4F);
+    const glm::vec3 eye = glm::vec3(0.3F, 0.35F, 5.4F) + glm::vec3(vary.near(glm::vec2(0), 0.8F), 0);
+    const glm::vec3 to_light = vary.turn({0, 0, 1}, 0.7F) * normalize(glm::vec3(-0.85F, 0.75F, 0.62F));
     const glm::vec3 forward = normalize(glm::vec3(0.02F, 0, 0.2F) - eye);
     const glm::vec3 right = normalize(cross(forward, glm::vec3(0, 1, 0)));
     const glm::vec3 up = cross(right, forward);
@@ -123,7 +126,7 @@ inline Image picture(Recorder& out, int width, int height)
         for (int x = 0; x < image.width; ++x) {
             const glm::vec2 at = (glm::vec2(x, y) + 0.5F - glm::vec2(width, height)) / static_cast<float>(2 * height);
             image.at(x, y) =
-                pixel_of(bump_color(heights, eye, normalize(forward + 0.52F * (at.x * right - at.y * up))));
+                pixel_of(bump_color(heights, to_light, eye, normalize(forward + 0.52F * (at.x * right - at.y * up))));
         }
     return halved(image);
 }

@@ -3,15 +3,12 @@
 #include <umbral/record/driver.hpp>
 
 #include "scene.hpp"
+#include "triangles.hpp"
 
 namespace umbral {
 namespace {
 
 using namespace texturing;
-
-using Corners = std::array<glm::vec3, 3>;
-
-constexpr float pi = 3.14159265F;
 
 void record_sphere(Recorder& out, const std::vector<glm::vec3>& points)
 {
@@ -36,11 +33,6 @@ TexturePlane random_plane(Random& random, float reach)
     return {reach * random.in_cube(), u_axis, v_axis};
 }
 
-glm::vec3 at_angles(float longitude, float latitude)
-{
-    return {std::cos(latitude) * std::cos(longitude), std::sin(latitude), std::cos(latitude) * std::sin(longitude)};
-}
-
 // In any direction, at least a degree off the seam and the axis.
 glm::vec3 random_point(Random& random)
 {
@@ -48,39 +40,29 @@ glm::vec3 random_point(Random& random)
     return random.uniform(0.2F, 5) * at_angles(longitude, random.uniform(-1.55F, 1.55F));
 }
 
-// Far from the seam, across it, touching it, and with corners on the axis; the same on a ball of a millionth the size,
-// and with a corner close to the axis.
-std::vector<Corners> triangles_by_hand()
+// Numbers that a hand can work out. Varied, points are moved: along the axis where there is one.
+void by_hand(Variation& vary, Recorder& out)
 {
-    const std::vector<Corners> large = {
-        {{{1, 0, 0}, {1, 0, 1}, {0, 2, 2}}},    {{{-1, 0, 1}, {-1, 0, -1}, {-1, 1, -1}}},
-        {{{0, 0, -2}, {-3, 0, 3}, {-1, 0, 1}}}, {{{-1, 0, 0}, {-1, 0, -1}, {0, 1, -1}}},
-        {{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}}},    {{{-1, 0, 1}, {0, -2, 0}, {-1, 0, -1}}},
-        {{{0, 3, 0}, {0, -1, 0}, {-1, 0, -1}}}, {{{0, 1, 0}, {0, 2, 0}, {0, -1, 0}}},
-        {{{0, 0, -1}, {0, 1, 0}, {-1, 0, 0}}},  {{{0, 0, 1}, {1, 0, 0}, {0, 0, 0}}}};
-    std::vector<Corners> triangles = large;
-    for (const Corners& corners : large) {
-        constexpr float size = 1.0F / (1 << 20);
-        triangles.push_back({size * corners[0], size * corners[1], size * corners[2]});
-    }
-    constexpr float close = 1.0F / 8192;
-    triangles.push_back({{{close, 0, 0}, {1, 0, 1}, {0, 0, 1}}});
-    triangles.push_back({{{-close, 0, -close}, {-1, 0, 1}, {-1, 0, 0}}});
-    return triangles;
-}
-
-void by_hand(Recorder& out)
-{
+    const auto risen = [&](const glm::vec3& point) { return point + glm::vec3(0, vary.near(0.0F, 0.7F), 0); };
     for (const TexturePlane& plane : {TexturePlane{}, {{1, 2, 3}, {0, 0.6F, 0.8F}, {1, 0, 0}}})
         for (const glm::vec3& point : {glm::vec3(0.25F, 0.5F, 7), {-3, 1, 0}, {1, 2, 3}, {2, 7, 13}})
-            out.append("plane", ask<planar_coordinates>(out, point, plane));
-    record_sphere(
-        out, {{1, 0, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1, 0}, {0, -2, 2}, {3, 0, 3}, {-1, 0, 1}, {-1, 0, -1}, {0, 3, -3}});
+            out.append("plane",
+                       ask<planar_coordinates>(out, point + glm::vec3(vary.near(glm::ivec3(0), 8)) / 4.0F, plane));
+    for (const glm::vec3& point : {glm::vec3(1, 0, 0),
+                                   {0, 0, 1},
+                                   {0, 0, -1},
+                                   {1, 1, 0},
+                                   {0, -2, 2},
+                                   {3, 0, 3},
+                                   {-1, 0, 1},
+                                   {-1, 0, -1},
+                                   {0, 3, -3}})
+        record_sphere(out, {risen(point)});
     for (const glm::vec3& point : {glm::vec3(2, 1, 0), {0, 1.5F, 2}, {0, 4, -1}, {-1, 2.5F, 1}, {1, -1, 1}, {3, 6, -3}})
-        out.append("cylinder", ask<cylindrical_coordinates>(out, point, 1, 4));
+        out.append("cylinder", ask<cylindrical_coordinates>(out, risen(point), 1, 4));
     for (const glm::vec3& point : {glm::vec3(2, 1, 0), {0, 2.5F, -1}, {1, 5, 1}})
-        out.append("cylinder", ask<cylindrical_coordinates>(out, point, 4, 1));
-    record_triangles(out, triangles_by_hand());
+        out.append("cylinder", ask<cylindrical_coordinates>(out, risen(point), 4, 1));
+    record_triangles(out, mirrored(vary, triangles_by_hand()));
 }
 
 void random_points(Random& random, Recorder& out)
@@ -131,62 +113,6 @@ void grids(Random& random, Recorder& out)
         const bool good_first = random.below(2) == 0;
         for (const bool good : {good_first, !good_first})
             out.append("refused", good ? refused(out, 3, 2) : refused(out, size.x, size.y));
-    }
-}
-
-using Shares = std::array<float, 3>;
-
-/// Corners at these shares of the way from one longitude to another.
-Corners corners_between(Random& random, float from, float to, const Shares& along)
-{
-    Corners corners{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const float size = random.uniform(0.5F, 2);
-        corners[i] = size * at_angles(from + (to - from) * along[i], random.uniform(-1.5F, 1.5F));
-    }
-    return corners;
-}
-
-// Of a turn: a hundred roundings of a coordinate in float, and more.
-float hardly_anything(Random& random) { return random.uniform(1e-5F, 4e-5F); }
-
-// Corners round a longitude, less than 0.45 turns apart, now and then hardly less than 0.5, in random order.
-Corners triangle_at(Random& random, float longitude)
-{
-    const float turns = random.below(6) == 0 ? 0.5F - hardly_anything(random) : random.uniform(0.02F, 0.45F);
-    Shares along = {0, 1, random.uniform(0.1F, 0.9F)};
-    std::swap(along[2], along[random.below(3)]);
-    std::swap(along[1], along[random.below(2)]);
-    return corners_between(random, longitude - turns * pi, longitude + turns * pi, along);
-}
-
-// Hardly less than half a turn, one end hardly beyond the seam; every second time the other end has two corners.
-Corners half_turn_at_seam(Random& random)
-{
-    const float side = random.below(2) == 0 ? pi : -pi;
-    const float end = side * (1 + 2 * hardly_anything(random));
-    Shares along = {0, 1, random.below(2) == 0 ? 1.0F : random.uniform(0.1F, 0.9F)};
-    std::swap(along[2], along[random.below(3)]);
-    return corners_between(random, end, end - side * (1 - 2 * hardly_anything(random)), along);
-}
-
-float zero_of_any_sign(Random& random) { return random.below(2) == 0 ? 0.0F : -0.0F; }
-
-// North, south, or, one of five times, the origin.
-glm::vec3 pole(Random& random)
-{
-    constexpr float sides[] = {1, -1, 1, -1, 0};
-    const float height = random.uniform(0.5F, 2) * sides[random.below(5)];
-    const float x = zero_of_any_sign(random);
-    return {x, height, zero_of_any_sign(random)};
-}
-
-// One of three triangles on a much smaller or larger ball: longitudes do not depend on its size.
-void change_balls(Random& random, std::vector<Corners>& triangles)
-{
-    for (Corners& corners : triangles) {
-        const float size = random.below(3) == 0 ? std::pow(10.0F, random.uniform(-12, 6)) : 1.0F;
-        for (glm::vec3& corner : corners) corner *= size;
     }
 }
 
@@ -285,7 +211,7 @@ void extreme(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { random_points(c.random, out); }},
     {"grids", [](Case& c, Recorder& out) { grids(c.random, out); }},
     {"seam", [](Case& c, Recorder& out) { seam(c.random, out); }},
@@ -293,7 +219,7 @@ const Driver driver = {
     {"edges", [](Case&, Recorder& out) { edges(out); }},
     {"far", [](Case& c, Recorder& out) { far_plane(c.random, out); }},
     {"extreme", [](Case& c, Recorder& out) { extreme(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", picture(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", picture(out, c.vary)); }},
 };
 
 }

@@ -4,6 +4,7 @@
 #include <kit/shapes.hpp>
 #include <kit/stage.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/texturing/coordinates.hpp>
 
 /// The goal picture of texturing/coordinates: a vase, a globe and a box with a lid, each with coordinates of its kind,
@@ -145,10 +146,11 @@ inline Textured lid(Recorder& out, float height)
     return result;
 }
 
-inline Image picture(Recorder& out)
+/// Varied, it is seen from another side.
+inline Image picture(Recorder& out, Variation vary = {})
 {
     const Stage stage(512, 384, {0.80F, 0.84F, 0.88F}, coordinates_paint);
-    stage.look({0.35F, 2.35F, 6.2F}, {0.02F, 0.72F, 0}, 29, 4.0F / 3);
+    stage.look(vary.turn({0, 1, 0}, 0.6F) * glm::vec3(0.35F, 2.35F, 6.2F), {0.02F, 0.72F, 0}, 29, 4.0F / 3);
     const gl::Program& program = stage.program();
 
     const TexturePlane tiles{{0.3F, 0, 0.2F}, {0.8F, 0, 0.6F}, {0.6F, 0, -0.8F}};

@@ -21,24 +21,28 @@ void record_directions(Recorder& out, BoxFace face, glm::vec2 uv)
     out.append("directions", ask<sphere_direction>(out, uv));
 }
 
-void by_hand(Recorder& out)
+// Numbers that a hand can work out. Varied, vectors are turned exactly, or rise a little, and places are moved.
+void by_hand(Variation& vary, Recorder& out)
 {
+    const auto risen = [&](const glm::vec3& direction) { return direction + glm::vec3(0, vary.near(0.0F, 0.4F), 0); };
     for (const glm::vec3& to_eye : {glm::vec3(0, 0, 1), {1, 0, 1}, {-3, 2, 0}, {0, -1, 0}, {2, 1, -2}})
-        for (const glm::vec3& normal : {glm::vec3(0, 0, 1), {0, 1, 0}, {0.6F, 0, 0.8F}})
-            out.append("mirror", ask<mirrored_direction>(out, to_eye, normal));
+        for (const glm::vec3& normal : {glm::vec3(0, 0, 1), {0, 1, 0}, {0.6F, 0, 0.8F}}) {
+            const ExactMap map = vary.exact_map(0);
+            out.append("mirror", ask<mirrored_direction>(out, map.place(to_eye), map.place(normal)));
+        }
     for (const float sign : {1.0F, -1.0F})
         for (const glm::vec3& direction : {glm::vec3(4, 2, 1), {1, 4, 2}, {2, -1, 4}, {4, -1, -3}, {-1, 2, 4}})
-            record_box(out, sign * direction);
+            record_box(out, vary.exact_map().place(sign * direction));
     for (const glm::vec3& direction :
          {glm::vec3(0, 0, -1), {1, 0, 0}, {-2, 0, 0}, {1, 0, -1}, {0, 1, -1}, {0, -3, 3}, {-1, 0, 1}}) {
-        if (direction.z <= 0 || direction.x != 0) out.append("panorama", ask<panorama_place>(out, direction));
+        if (direction.z <= 0 || direction.x != 0) out.append("panorama", ask<panorama_place>(out, risen(direction)));
     }
     for (const glm::vec3& direction :
          {glm::vec3(0, 0, 1), {1, 0, 0}, {0, -2, 0}, {3, 0, 4}, {0, 3, -4}, {-4, 0, -3}, {-1, 0, 0}, {0, 1, 1}})
-        out.append("sphere", ask<sphere_place>(out, direction));
+        out.append("sphere", ask<sphere_place>(out, risen(direction)));
     for (int face = 0; face < 6; ++face)
         for (const glm::vec2 uv : {glm::vec2(0.5F, 0.5F), {0.75F, 0.5F}, {0.5F, 0.25F}, {0.25F, 0.875F}})
-            record_directions(out, static_cast<BoxFace>(face), uv);
+            record_directions(out, static_cast<BoxFace>(face), vary.near(uv, 0.03F));
 }
 
 // Directions whose largest coordinate is larger than the others by a thousandth at least, so that no rounding chooses.
@@ -100,7 +104,7 @@ void ties(Random& random, Recorder& out)
 // Beside -z, at an angle of about `off`.
 glm::vec3 almost_back(float off, float turned) { return {off * std::cos(turned), off * std::sin(turned), -1}; }
 
-void edges(Recorder& out)
+void edges(Variation& vary, Recorder& out)
 {
     for (const float zero : {0.0F, -0.0F})
         for (const float other : {0.0F, -0.0F}) {
@@ -118,7 +122,7 @@ void edges(Recorder& out)
         }
     for (const float off : {1e-4F, 1e-3F, 4e-3F, 0.012F, 0.05F})
         for (const float turned : {0.0F, 1.2F, 2.9F, 4.0F})
-            out.append("beside", ask<sphere_place>(out, almost_back(off, turned)));
+            out.append("beside", ask<sphere_place>(out, almost_back(vary.scaled(off, 1.5F), vary.near(turned, 1.0F))));
     for (const float off : {-5e-5F, 5e-5F})
         for (const glm::vec3& direction : {glm::vec3(off, 0, -1), {0, off, -1}})
             out.append("beside", ask<sphere_place>(out, direction));
@@ -160,12 +164,12 @@ void extreme(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { random_directions(c.random, out); }},
     {"ties", [](Case& c, Recorder& out) { ties(c.random, out); }},
-    {"edges", [](Case&, Recorder& out) { edges(out); }},
+    {"edges", [](Case& c, Recorder& out) { edges(c.vary, out); }},
     {"extreme", [](Case& c, Recorder& out) { extreme(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", picture(out, 440, 290)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", picture(out, 440, 290, c.vary)); }},
 };
 
 }

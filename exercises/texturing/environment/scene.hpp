@@ -4,6 +4,7 @@
 #include <kit/picture.hpp>
 #include <string>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/texturing/environment.hpp>
 
 #include "../support.hpp"
@@ -65,14 +66,14 @@ struct CourtMaps {
     Grid<glm::vec4> panorama, sphere;
 };
 
-inline CourtMaps court_maps(const Grid<glm::vec4>& tiles)
+inline CourtMaps court_maps(const Grid<glm::vec4>& tiles, const glm::mat3& turned)
 {
     const auto made = [&](int width, int height, const auto& direction) {
         Grid<glm::vec4> map(width, height);
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 const glm::vec2 uv = (glm::vec2(x, height - 1 - y) + 0.5F) / glm::vec2(width, height);
-                map.at(x, y) = glm::vec4(court(tiles, direction(uv)), 1);
+                map.at(x, y) = glm::vec4(court(tiles, turned * direction(uv)), 1);
             }
         return map;
     };
@@ -97,15 +98,16 @@ inline glm::vec3 seen_in(const CourtMaps& maps, int kind, const glm::vec3& direc
     return lookup(maps.sphere, clamped, sphere_place(direction));
 }
 
-/// One question, told in words, for all pixels.
-inline Image picture(Recorder& out, int width, int height)
+/// One question, told in words, for all pixels. Varied, the court is turned.
+inline Image picture(Recorder& out, int width, int height, Variation vary = {})
 {
     ask_in_words(out, [&] {
         return "// three balls, " + std::to_string(width) + " x " + std::to_string(height) +
                " pixels: maps made by the three ..._direction, and seen by mirrored_direction and the three ..._place";
     });
     const Grid<glm::vec4> tiles = star_tile(64);
-    const CourtMaps maps = court_maps(tiles);
+    const glm::mat3 turned = vary.turn({0, 1, 0}, 3);
+    const CourtMaps maps = court_maps(tiles, turned);
     struct Ball {
         glm::vec3 centre;
         float radius;
@@ -135,7 +137,7 @@ inline Image picture(Recorder& out, int width, int height)
                 const float grazing = std::pow(1 - std::max(0.0F, -dot(n, direction)), 4.0F);
                 color = seen_in(maps, kind, mirrored) * mix(ball.tint, glm::vec3(1), grazing) * 0.94F;
             }
-            image.at(x, y) = pixel_of(nearest < 1e9F ? color : court(tiles, direction));
+            image.at(x, y) = pixel_of(nearest < 1e9F ? color : court(tiles, turned * direction));
         }
     return halved(image);
 }

@@ -19,17 +19,20 @@ void record(Recorder& out, const Textures& textures, const std::vector<Query>& q
 }
 
 // Red, green / blue, white as one sees it: row 0 is the top one. Beside it, four greys in a row.
-Textures small_textures()
+// Varied, each channel of each texel is darker or brighter by eighths.
+Textures small_textures(Variation& vary)
 {
     Grid<glm::vec4> four(2, 2);
     four.cells = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}};
     Grid<glm::vec4> row(4, 1);
     row.cells = {glm::vec4(0), glm::vec4(0.25F), glm::vec4(0.5F), glm::vec4(1)};
+    for (Grid<glm::vec4>* const texture : {&four, &row})
+        for (glm::vec4& texel : texture->cells) texel += glm::vec4(vary.near(glm::ivec4(0), 6)) / 8.0F;
     return {four, row};
 }
 
 // Numbers that a student can work out by hand: each corner's texel, the centres, the middle, points between centres.
-void by_hand(Recorder& out)
+void by_hand(Variation& vary, Recorder& out)
 {
     std::vector<Query> queries;
     for (const Filter filter : both_filters) {
@@ -45,7 +48,7 @@ void by_hand(Recorder& out)
         for (const float u : {0.125F, 0.375F, 0.625F, 0.875F, 0.4375F, 0.3125F, 0.8125F})
             queries.push_back({1, clamped, {u, 0.5F}});
     }
-    record(out, small_textures(), queries);
+    record(out, small_textures(vary), queries);
 }
 
 // Away from borders by 2 % of a texel, so that no rounding decides; far enough inside for no neighbour to be wrapped.
@@ -249,7 +252,7 @@ void record_cycled(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
     {"nearest", [](Case& c, Recorder& out) { random_inside(c.random, out, Filter::nearest); }},
     {"bilinear", [](Case& c, Recorder& out) { random_inside(c.random, out, Filter::bilinear); }},
     {"repeat", [](Case& c, Recorder& out) { outside(c.random, out, Wrap::repeat); }},

@@ -1,3 +1,4 @@
+#include <array>
 #include <limits>
 #include <stdexcept>
 #include <umbral/record/driver.hpp>
@@ -29,21 +30,28 @@ void record_mipmap(Recorder& out, const Grid<glm::vec4>& texture)
     }
 }
 
-// Greys in quarters, whose means are exact; (r, g, b, a) differ.
-Grid<glm::vec4> small_texture(int size)
+// Greys in quarters, whose means are exact; (r, g, b, a) differ. Varied, all texels are darker or brighter.
+Grid<glm::vec4> small_texture(Variation& vary, int size)
 {
+    const glm::ivec4 first = vary.near(glm::ivec4(0), 3);
     Grid<glm::vec4> texture(size, size);
     for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) texture.at(x, y) = glm::vec4(x, y, (x * y) % 3, (x + 2 * y) % 4) / 4.0F;
+        for (int x = 0; x < size; ++x)
+            texture.at(x, y) = glm::vec4(first + glm::ivec4(x, y, (x * y) % 3, (x + 2 * y) % 4)) / 4.0F;
     return texture;
 }
 
-// Four levels, each of one grey, so that a blend tells which levels it took and with what weight.
-Mipmap grey_levels()
+// Four levels, each of one grey, so that a blend tells which levels it took and with what weight. Varied, the greys are
+// others.
+Mipmap grey_levels(Variation& vary)
 {
     Mipmap mipmap;
-    float grey = 0;
-    for (const int size : {8, 4, 2, 1}) mipmap.emplace_back(size, size, glm::vec4(grey++ / 2));
+    const int step = vary.one_of(2, std::array{-2, 1, 3});
+    int quarters = vary.near(0, 2);
+    for (const int size : {8, 4, 2, 1}) {
+        mipmap.emplace_back(size, size, glm::vec4(static_cast<float>(quarters) / 4));
+        quarters += step;
+    }
     return mipmap;
 }
 
@@ -55,18 +63,20 @@ Mipmap random_mipmap(Random& random, int size, int smallest)
     return mipmap;
 }
 
-void by_hand(Recorder& out)
+void by_hand(Variation& vary, Recorder& out)
 {
-    for (const int size : {1, 2, 4}) record_mipmap(out, small_texture(size));
+    for (const int size : {1, 2, 4}) record_mipmap(out, small_texture(vary, size));
     for (const float distance : {1.0F, 2.0F, 4.0F, 3.0F, 6.0F, 0.5F, 64.0F, 2.5F})
-        out.append("distances", ask<level_at_distance>(out, distance, 2));
+        out.append("distances", ask<level_at_distance>(out, vary.scaled(distance, 1.3F), 2));
     const glm::vec2 steps[][2] = {{{0.125F, 0}, {0, 0.125F}}, {{0.25F, 0}, {0, 0.125F}},  {{0, 0.25F}, {0.5F, 0}},
                                   {{0.75F, 1}, {0, 0}},       {{0.0625F, 0}, {0, 0.03F}}, {{0, 0}, {0, 0}},
                                   {{-0.5F, 0}, {0, 0.25F}},   {{0, 0}, {-0.3F, -0.4F}}};
     for (const auto& [by_x, by_y] : steps)
-        for (const glm::ivec2 size : {glm::ivec2(8, 8), {16, 4}})
-            out.append("steps", ask<level_of_step>(out, by_x, by_y, size));
-    const Mipmap greys = grey_levels();
+        for (const glm::ivec2 size : {glm::ivec2(8, 8), {16, 4}}) {
+            const float longer = vary.scaled(1.0F, 1.4F);
+            out.append("steps", ask<level_of_step>(out, longer * by_x, longer * by_y, size));
+        }
+    const Mipmap greys = grey_levels(vary);
     for (const float level : {0.0F, 1.0F, 2.0F, 3.0F, 0.5F, 1.25F, 2.75F, -0.5F, -3.0F, 3.25F, 9.0F})
         out.append("blends", ask<trilinear>(out, greys, {0.3F, 0.6F}, level));
     // Two levels of four: the last one need not have a single texel.
@@ -74,7 +84,7 @@ void by_hand(Recorder& out)
     for (const float level : {0.75F, 1.0F, 1.5F, 3.0F})
         out.append("blends", ask<trilinear>(out, two, {0.3F, 0.6F}, level));
     // Places outside the unit square, and blends across its border.
-    const Mipmap pattern = {small_texture(4), small_texture(2)};
+    const Mipmap pattern = {small_texture(vary, 4), small_texture(vary, 2)};
     for (const glm::vec2 uv : {glm::vec2(1.375F, -0.375F), {-0.125F, 0.625F}, {0, 1}, {0.5F, 2.75F}})
         for (const float level : {0.0F, 0.5F, 1.0F}) out.append("blends", ask<trilinear>(out, pattern, uv, level));
 }
@@ -174,13 +184,13 @@ void extreme(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
     {"textures", [](Case& c, Recorder& out) { textures(c.random, out); }},
     {"refused", [](Case& c, Recorder& out) { record_refusals(c.random, out); }},
     {"levels", [](Case& c, Recorder& out) { levels(c.random, out); }},
     {"blends", [](Case& c, Recorder& out) { blends(c.random, out); }},
     {"extreme", [](Case& c, Recorder& out) { extreme(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", picture(out, 480, 300)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", picture(out, 480, 300, c.vary)); }},
 };
 
 }

@@ -3,6 +3,7 @@
 #include <kit/picture.hpp>
 #include <string>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/texturing/mipmap.hpp>
 
 #include "../support.hpp"
@@ -55,8 +56,8 @@ inline Grid<glm::vec4> ceiling_texture(int size)
     });
 }
 
-/// One question, told in words: to note a mipmap for each pixel would take seconds.
-inline Image picture(Recorder& out, int width, int height)
+/// One question, told in words: to note a mipmap for each pixel would take seconds. Varied, the eye looks elsewhere.
+inline Image picture(Recorder& out, int width, int height, Variation vary = {})
 {
     ask_in_words(out, [&] {
         return "// a hall, " + std::to_string(width) + " x " + std::to_string(height) +
@@ -65,9 +66,10 @@ inline Image picture(Recorder& out, int width, int height)
     const Grid<glm::vec4> textures[] = {star_tile(128), ceiling_texture(128), wall_texture(256)};
     std::vector<Mipmap> mipmaps;
     for (const Grid<glm::vec4>& texture : textures) mipmaps.push_back(build_mipmap(texture));
+    const glm::vec2 aside = vary.near(glm::vec2(0, -0.12F), 0.15F);
     const auto point_at = [&](float x, float y) {
         const glm::vec2 at = (glm::vec2(x, y) - 0.5F * glm::vec2(width, height)) / static_cast<float>(height);
-        return hall_point({1.5F * at.x, -1.5F * at.y - 0.12F, -1});
+        return hall_point({1.5F * at.x + aside.x, -1.5F * at.y + aside.y, -1});
     };
     Image image(width, height);
     for (int row = 0; row < height; ++row)
