@@ -34,6 +34,17 @@ TEST(Printable, replaces_what_turns_or_hides_text)
         EXPECT_EQ(printable("a" + one + "b", plenty), "a\uFFFDb");
 }
 
+// In any script: those of Thai are the best known.
+TEST(Printable, keeps_few_marks_of_any_script)
+{
+    for (const std::string mark :
+         {"\u0E47", "\u0651", "\u05C1", "\u0F74", "\u0941", "\u0EC8", "\u302A", "\uA670", "\U0001D167", "\U00011A0A"}) {
+        std::string few = "a";
+        for (int i = 0; i < 4; ++i) few += mark;
+        EXPECT_EQ(printable(few + mark + "b", plenty), few + "\uFFFDb") << mark;
+    }
+}
+
 // Towers of accents reach over the lines above and below.
 TEST(Printable, keeps_few_marks_on_a_letter)
 {
