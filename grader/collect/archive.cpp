@@ -7,7 +7,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "model/caps.hpp"
 #include "model/scratch.hpp"
 #include "run/confine.hpp"
 
@@ -94,7 +93,7 @@ Unpacked parse_unpacked(std::string_view output)
     return unpacked;
 }
 
-Unpacked unpack(const ArchiveTools& tools, std::string_view archive)
+Unpacked unpack(const ArchiveTools& tools, std::string_view archive, double seconds)
 {
     const ScratchFolder scratch(tools.scratch);
     const std::filesystem::path copy = scratch.path() / "archive";
@@ -109,7 +108,7 @@ Unpacked unpack(const ArchiveTools& tools, std::string_view archive)
     command.arguments = {(tools.programs / "umbral-unpack").string(), copy.string()};
     command.directory = scratch.path();
     command.read = {"/usr/lib/locale"};
-    command.cpu_seconds = 10;
+    command.cpu_seconds = seconds;
     command.wall_seconds = 60;
     command.memory_mib = 1024;
     command.output_limit =
@@ -120,6 +119,7 @@ Unpacked unpack(const ArchiveTools& tools, std::string_view archive)
             fmt::format("umbral-unpack cannot be run: {}", one_line(result.output, caps::message)));
     // However it ended, what it printed before counts.
     Unpacked unpacked = parse_unpacked(result.output);
+    unpacked.cpu_seconds = result.cpu_seconds;
     if (result.stopped != ConfinedResult::Stopped::no)
         unpacked.notes.emplace_back("unpacking it takes too much time or memory");
     return unpacked;

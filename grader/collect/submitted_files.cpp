@@ -66,8 +66,11 @@ public:
             return ignore(path, "it is an archive within an archive within another: unpack it");
         if (archives_full())
             return ignore(path, fmt::format("only the first {} archives are opened", caps::submission_archives));
+        // The kernel counts whole seconds.
+        if (tools_.seconds < 1) return ignore(path, "unpacking the archives before it took too long");
         ++archives_;
-        Unpacked unpacked = unpack(tools_, bytes);
+        Unpacked unpacked = unpack(tools_, bytes, std::min(tools_.seconds, caps::unpack_seconds));
+        tools_.seconds -= unpacked.cpu_seconds;
         for (const std::string& text : unpacked.notes) note(fmt::format("{}: {}", one_line(path), text));
         for (Ignored& one : unpacked.ignored) ignore(joined(prefix, one.path), std::move(one.reason));
         std::vector<std::pair<std::string, std::string>> inner;

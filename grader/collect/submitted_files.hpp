@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collect/sources.hpp"
+#include "model/caps.hpp"
 #include "model/exercise.hpp"
 
 namespace umbral::grader {
@@ -13,8 +14,9 @@ namespace umbral::grader {
 /// What opens archives: the confined program umbral-unpack. Without `programs` archives stay shut, and are listed as
 /// ignored.
 struct ArchiveTools {
-    std::filesystem::path programs;  ///< the folder of umbral-confine and umbral-unpack
-    std::filesystem::path scratch;   ///< where an archive is copied to while it is opened; made if missing
+    std::filesystem::path programs;             ///< the folder of umbral-confine and umbral-unpack
+    std::filesystem::path scratch;              ///< where an archive is copied to while it is opened; made if missing
+    double seconds = caps::all_unpack_seconds;  ///< of processor time, for all archives of a submission
 };
 
 /// Something in a submission that was not read.

@@ -72,11 +72,12 @@ Data read_data(archive* reader, std::size_t limit, Budget& budget)
     return data;
 }
 
-/// Passes over the current entry's data, as far as the budget goes: in a compressed stream they are unpacked all the
-/// same.
+/// Passes over the current entry's data, as far as the budget goes: in a compressed stream, and in a 7z, they are
+/// unpacked all the same.
 void pass_over(archive* reader, Budget& budget)
 {
-    if (archive_filter_count(reader) <= 1) return (void)archive_read_data_skip(reader);
+    if (archive_filter_count(reader) <= 1 && archive_format(reader) != ARCHIVE_FORMAT_7ZIP)
+        return (void)archive_read_data_skip(reader);
     const void* block = nullptr;
     std::size_t size = 0;
     la_int64_t offset = 0;
@@ -89,6 +90,12 @@ bool has_junk(std::string_view path)
     for (std::string_view rest = path; !rest.empty(); rest = parent_part(rest))
         if (is_junk(last_part(rest)) || is_framework_copy(rest)) return true;
     return false;
+}
+
+/// Could no folder hold a file of this path?
+bool is_too_long(std::string_view path)
+{
+    return path.size() > caps::archive_path || last_part(path).size() > caps::file_name;
 }
 
 std::string path_of(archive_entry* entry)
@@ -128,8 +135,7 @@ std::string print_entries(archive* reader)
         if (!budget.take(&Budget::entries, 1)) return "it has too many entries; the rest is not read";
         const std::string path = path_of(entry);
         const FileKind kind = kind_of(last_part(path));
-        const bool of_worth =
-            (is_code(kind) || kind == FileKind::archive) && path.size() <= caps::archive_path && !has_junk(path);
+        const bool of_worth = (is_code(kind) || kind == FileKind::archive) && !is_too_long(path) && !has_junk(path);
         if (of_worth && archive_entry_filetype(entry) != AE_IFDIR) {
             Data data;
             const std::string objection = read_entry(reader, entry, kind, budget, data);

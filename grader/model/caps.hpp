@@ -49,6 +49,9 @@ inline constexpr std::size_t archive_file = std::size_t{64} << 20U;  ///< bytes 
 inline constexpr std::size_t archive_unpacked = std::size_t{256}
                                                 << 20U;  ///< bytes to which an archive is unpacked before that stops
 inline constexpr std::size_t archive_path = 4096;        ///< bytes of a path in an archive
+inline constexpr std::size_t file_name = 255;            ///< of its last part: file systems take no longer ones
+inline constexpr double unpack_seconds = 10;             ///< of processor time, for unpacking an archive …
+inline constexpr double all_unpack_seconds = 20;         ///< … and for all archives of a submission together
 
 }
 

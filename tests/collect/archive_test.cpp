@@ -104,6 +104,34 @@ TEST_F(Archives, many_files_are_bounded)
     EXPECT_EQ(unpacked(write_archive("ustar", "gzip", entries)).notes.size(), 1U);
 }
 
+// Names are compared for each unit: longer ones than any folder has would cost as much as they like.
+TEST_F(Archives, names_that_no_folder_could_hold_are_passed_over)
+{
+    const std::string longest = std::string(251, 'n') + ".cpp";
+    const Unpacked result = unpacked(write_archive("pax", "gzip", {{"a/" + longest, "x"}, {"a/n" + longest, "x"}}));
+    EXPECT_EQ(result.files, (Files{{"a/" + longest, "x"}}));
+}
+
+// What stands before a file in a 7z must be unpacked to reach it.
+TEST_F(Archives, what_is_passed_over_in_a_7z_counts_as_well)
+{
+    const std::string zeros(caps::archive_unpacked + (std::size_t{16} << 20U), '\0');
+    const Unpacked result = unpacked(write_archive("7zip", "none", {{"zeros.bin", zeros}, {"sphere.cpp", "mine"}}));
+    EXPECT_TRUE(result.files.empty());
+    EXPECT_EQ(result.notes, std::vector<std::string>{"it unpacks to too many bytes; the rest is not read"});
+}
+
+TEST_F(Archives, share_the_time_that_unpacking_may_take)
+{
+    for (const char* const name : {"a.zip", "b.zip"})
+        desk.write(name, write_archive("zip", "none", {{"sphere.cpp", "mine"}}));
+    ArchiveTools tools = desk.tools();
+    tools.seconds = 1;
+    const SubmittedFiles submitted = read_submission(desk.folder(), {}, tools);
+    EXPECT_EQ(submitted.files, (Sources{{"a.zip/sphere.cpp", "mine"}}));
+    EXPECT_EQ(submitted.ignored, (std::vector<Ignored>{{"b.zip", "unpacking the archives before it took too long"}}));
+}
+
 TEST_F(Archives, within_archives_are_opened_once)
 {
     std::string bytes = write_archive("zip", "none", {{"sphere.cpp", "mine"}});
