@@ -64,15 +64,35 @@ std::vector<Entry> entries_of(const fs::path& path, ClassFolder& result)
     return entries;
 }
 
+/// The submission that a line of the roster means: by its whole name, or by that of its archive without the suffix if
+/// no other archive has it, since whoever names archives must not choose whose work they are. Null, with the reason, if
+/// there is none.
+Entry* meant_by(const RosterEntry& line, std::vector<Entry>& entries, std::string& reason)
+{
+    const auto exact = std::ranges::find(entries, line.folder, &Entry::name);
+    if (exact != entries.end()) return &*exact;
+    std::vector<std::string> names;
+    Entry* found = nullptr;
+    for (Entry& entry : entries) {
+        if (entry.stem != line.folder) continue;
+        names.push_back(entry.name);
+        found = &entry;
+    }
+    if (names.size() == 1) return found;
+    reason = names.empty() ? "there is no such folder"
+                           : fmt::format("each of {} could be it: list it by its whole name", listed(names));
+    return nullptr;
+}
+
 void apply_roster(const std::vector<RosterEntry>& roster, const std::string& where, std::vector<Entry>& entries,
                   ClassFolder& result)
 {
     for (const RosterEntry& line : roster) {
-        auto found = std::ranges::find(entries, line.folder, &Entry::name);
-        if (found == entries.end()) found = std::ranges::find(entries, line.folder, &Entry::stem);
-        if (found == entries.end()) {
+        std::string reason;
+        Entry* const found = meant_by(line, entries, reason);
+        if (found == nullptr) {
             result.ignored.push_back(
-                {one_line(line.folder), fmt::format("line {} of the roster: there is no such folder", line.line)});
+                {one_line(line.folder), fmt::format("line {} of the roster: {}", line.line, reason)});
             continue;
         }
         if (found->listed)

@@ -25,10 +25,11 @@ struct ClassFolder {
 /// files and names with a leading dot are ignored. A plain name is its own id, others get derived_id(), with a short
 /// hash where two would be the same. `roster` is empty, or a CSV file (UTF-8; quoted fields as spreadsheets write them)
 /// with the columns folder,id or folder,id,name, which decides the ids of the folders that it lists, whatever others
-/// are named (a folder that is named like another's id gets its hash); an archive is listed by its whole name or
-/// without its suffix. Throws std::runtime_error, with the line where there is one, if
-/// `path` cannot be read or the roster is wrong: an id that is none or that two folders would have, a folder listed
-/// twice. A listed folder that is not there is reported in `ignored`. No submission at all is no error here.
+/// are named (a folder that is named like another's id gets its hash); an archive is listed by its whole name or,
+/// if no other has the same without its suffix, without it. Throws std::runtime_error, with the line where there is
+/// one, if `path` cannot be read or the roster is wrong: an id that is none or that two folders would have, a folder
+/// listed twice. A listed folder that is not there, and a name that several archives have without suffix, are reported
+/// in `ignored`. No submission at all is no error here.
 [[nodiscard]] ClassFolder class_folder(const std::filesystem::path& path, const std::filesystem::path& roster = {});
 
 }

@@ -199,6 +199,20 @@ TEST_F(ClassFolders, a_folder_named_like_an_id_of_the_roster_gives_way)
     EXPECT_EQ(ids.size(), 3U);
 }
 
+// Who hands in ana.tar.gz beside Ana's ana.zip must not become Ana.
+TEST_F(ClassFolders, an_archive_named_like_another_one_is_not_taken_for_it)
+{
+    for (const char* const name : {"class/ana.tar.gz", "class/ana.zip", "class/bruno.zip"}) folder.write(name, "");
+    const ClassFolder found = with_roster("folder,id\nana,4711\nbruno,4712\n");
+    ASSERT_EQ(found.submissions.size(), 3U);
+    EXPECT_EQ(found.submissions[0].id, "4712");
+    for (const std::size_t i : {1U, 2U}) EXPECT_TRUE(found.submissions[i].id.starts_with("ana-"));
+    EXPECT_EQ(found.ignored, (std::vector<Ignored>{{"ana",
+                                                    "line 2 of the roster: each of ana.tar.gz, ana.zip could be "
+                                                    "it: list it by its whole name"}}));
+    EXPECT_EQ(with_roster("folder,id\nana.zip,4711\n").submissions[0].folder.filename(), "ana.zip");
+}
+
 TEST_F(ClassFolders, wrong_rosters_are_refused_with_the_line)
 {
     for (const char* const name : {"a", "b", "c.zip"}) make(name);
