@@ -1,11 +1,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <limits>
 #include <umbral/core/random.hpp>
 #include <umbral/core/ray.hpp>
+#include <umbral/record/variation.hpp>
 #include <vector>
 
 /// Rays for the drivers of ray tracing, whatever surface they are aimed at.
@@ -22,6 +24,30 @@ inline constexpr float barely_less = 1 - 0x1p-16F;
 /// The size of a figure whose numbers are small integers times a power of two: exact at any of these sizes, from 1e-6
 /// to 4096, so that only tolerances that are lengths tell them apart.
 inline float exact_size(Random& random) { return std::ldexp(1.0F, static_cast<int>(random.below(33)) - 20); }
+
+/// What all lengths of a figure are multiplied by if inputs are to vary: t too, if the direction is not. Small whole
+/// numbers and halves stay exact.
+inline float other_size(Variation& vary) { return vary.one_of(1.0F, std::array{0.5F, 0.75F, 1.25F, 1.5F, 3.0F}); }
+
+/// The ray in a figure so many times as large.
+inline Ray sized(Ray ray, float size)
+{
+    ray.origin *= size;
+    ray.t_min *= size;
+    ray.t_max *= size;
+    return ray;
+}
+
+/// Pairs one after the other, each of them turned round or not if inputs are to vary: which one meets something is not
+/// told by its place.
+template <class Shot>
+std::vector<Shot> in_pairs(Variation& vary, std::vector<Shot> shots)
+{
+    if (Random* const random = vary.random())
+        for (std::size_t i = 0; i + 1 < shots.size(); i += 2)
+            if (random->below(2) == 1) std::swap(shots[i], shots[i + 1]);
+    return shots;
+}
 
 /// The same points of the same line, by a direction that is `length` times as long: t counts in it.
 inline Ray counted_in(Ray ray, float length)

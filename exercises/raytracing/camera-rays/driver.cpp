@@ -38,13 +38,16 @@ glm::vec2 random_place(Random& random, int width, int height)
     return random.below(4) == 0 ? 2.0F * place - 0.5F * size : place;
 }
 
-void record_by_hand(Recorder& out)
+void record_by_hand(Variation& vary, Recorder& out)
 {
     const float right_angle = 1.5707964F;
     const PrimaryCamera plain{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, right_angle};
     const PrimaryCamera east{{1, 2, 3}, {6, 2, 3}, {0, 3, 0}, right_angle};
     const PrimaryCamera down{{0, 5, 0}, {0, 1, 0}, {0, 0, -1}, right_angle};
-    const auto record = [&](const PrimaryCamera& camera, int width, int height, const glm::vec2& place) {
+    const auto record = [&](PrimaryCamera camera, int width, int height, const glm::vec2& place) {
+        // Turned by quarters of a turn, which round nothing.
+        const ExactMap map = vary.exact_map(0);
+        for (glm::vec3* const vector : {&camera.eye, &camera.target, &camera.up}) *vector = map.place(*vector);
         const Ray ray = ask<primary_ray>(out, camera, width, height, place);
         out.append("direction", ray.direction);
         out.append("origin", glm::vec4(ray.origin + ray.t_min * ray.direction, 1 / ray.t_max));
@@ -186,9 +189,10 @@ void record_rendered(Random& random, Recorder& out)
     record_sun(out);
 }
 
-void record_picture(Recorder& out)
+void record_picture(Variation& vary, Recorder& out)
 {
-    const PrimaryCamera camera{{1.2F, 1.25F, 5.6F}, {0.12F, 0, 0}, {0.36F, 1, 0}, 0.55F};
+    const PrimaryCamera camera{
+        vary.near(glm::vec3(1.2F, 1.25F, 5.6F), 0.8F), {0.12F, 0, 0}, {vary.near(0.36F, 0.3F), 1, 0}, 0.55F};
     ask_in_words(out, [] { return "render_picture(camera, 288, 192, 4, saturn_light)"; });
     out.image("saturn", encoded(render_picture(camera, 288, 192, 4, saturn_light)));
 }
@@ -196,7 +200,7 @@ void record_picture(Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { record_by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { record_by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"shapes", [](Case& c, Recorder& out) { record_shapes(c.random, out); }},
     {"up", [](Case& c, Recorder& out) { record_up(c.random, out); }},
@@ -204,7 +208,7 @@ const Driver driver = {
     {"telephoto", [](Case& c, Recorder& out) { record_telephoto(c.random, out); }},
     {"samples", [](Case& c, Recorder& out) { record_samples(c.random, out); }},
     {"rendered", [](Case& c, Recorder& out) { record_rendered(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+    {"picture", [](Case& c, Recorder& out) { record_picture(c.vary, out); }},
 };
 
 }

@@ -38,6 +38,34 @@ std::vector<MirrorView> asked(Recorder& out, const MirrorTask& task)
     return views;
 }
 
+// Turned by quarters of a turn, which round nothing, if inputs are to vary.
+FlatPolygon turned(const ExactMap& map, FlatPolygon polygon)
+{
+    for (glm::vec3& corner : polygon) corner = map.place(corner);
+    return polygon;
+}
+
+std::vector<ShadowTask> turned(Variation& vary, std::vector<ShadowTask> tasks)
+{
+    for (auto& [light, caster, receiver, unit] : tasks) {
+        const ExactMap map = vary.exact_map(0);
+        light = glm::vec4(map.place(glm::vec3(light)), light.w);
+        caster = turned(map, caster);
+        receiver = turned(map, receiver);
+    }
+    return tasks;
+}
+
+std::vector<MirrorTask> turned(Variation& vary, std::vector<MirrorTask> tasks)
+{
+    for (MirrorTask& task : tasks) {
+        const ExactMap map = vary.exact_map(0);
+        task.eye = map.place(task.eye);
+        for (FlatPolygon& mirror : task.mirrors) mirror = turned(map, mirror);
+    }
+    return tasks;
+}
+
 // The same ones again, very small and very large.
 template <class Task>
 std::vector<Task> in_all_sizes(std::vector<Task> tasks)
@@ -124,14 +152,14 @@ void record_matrices(Case& what, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { record_shadows(out, in_all_sizes(shadows_by_hand())); }},
-    {"without", [](Case&, Recorder& out) { record_shadows(out, in_all_sizes(without_shadow())); }},
+    {"by hand", [](Case& c, Recorder& out) { record_shadows(out, in_all_sizes(turned(c.vary, shadows_by_hand()))); }},
+    {"without", [](Case& c, Recorder& out) { record_shadows(out, in_all_sizes(turned(c.vary, without_shadow()))); }},
     {"random", [](Case& c, Recorder& out) { record_shadows(out, random_shadows(c.random)); }},
     {"far", [](Case& c, Recorder& out) { record_shadows(out, far_shadows(c.random)); }},
     {"matrices", record_matrices},
-    {"two mirrors", [](Case&, Recorder& out) { record_views(out, in_all_sizes(mirrors_by_hand())); }},
+    {"two mirrors", [](Case& c, Recorder& out) { record_views(out, in_all_sizes(turned(c.vary, mirrors_by_hand()))); }},
     {"halls", [](Case& c, Recorder& out) { record_views(out, random_halls(c.random)); }},
-    {"gallery", [](Case&, Recorder& out) { out.image("colours", gallery_picture(out, 400, 300)); }},
+    {"gallery", [](Case& c, Recorder& out) { out.image("colours", gallery_picture(c.vary, out, 400, 300)); }},
 };
 
 }

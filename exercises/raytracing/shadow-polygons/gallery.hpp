@@ -194,10 +194,11 @@ inline Gallery gallery_without_light()
 }
 
 /// The picture: shadows and mirrors as the unit has them.
-inline Image gallery_picture(Recorder& out, int width, int height)
+inline Image gallery_picture(Variation& vary, Recorder& out, int width, int height)
 {
     Gallery gallery = gallery_without_light();
-    const glm::vec3 eye(1.35F, 2.15F, 4.6F);
+    gallery.lamp = vary.near(gallery.lamp, 0.6F);
+    const glm::vec3 eye = vary.near(glm::vec3(1.35F, 2.15F, 4.6F), 0.3F);
     for (GalleryThing& thing : gallery.things)
         for (GalleryFace& face : thing.faces)
             for (const GalleryThing& other : gallery.things)

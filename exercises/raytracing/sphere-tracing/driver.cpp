@@ -10,24 +10,30 @@ namespace {
 using namespace raytracing;
 using namespace raytracing::sdf;
 
-void distances_by_hand(Recorder& out)
+void distances_by_hand(Variation& vary, Recorder& out)
 {
+    // Places and sizes a little beside; what is zero remains zero.
+    const auto near = [&](glm::vec3 p) {
+        for (int i = 0; i < 3; ++i)
+            if (p[i] != 0) p[i] = vary.near(p[i], 0.2F);
+        return p;
+    };
     for (const glm::vec3 p : {glm::vec3(3, 4, 0), {0, 0, 1}, {0, 0, 0}, {-2, 1, -2}, {2, 0, 0}})
-        out.append("ball", ask<ball_distance>(out, p, 2.0F));
+        out.append("ball", ask<ball_distance>(out, near(p), vary.near(2.0F, 0.2F)));
     for (const glm::vec3 p :
          {glm::vec3(4, 0, 0), {4, 6, 0}, {-4, -6, 15}, {0, 0, 0}, {0.5F, 0, 0}, {0, 1.5F, 2.75F}, {1, 2, 3}})
-        out.append("box", ask<box_distance>(out, p, glm::vec3(1, 2, 3)));
-    out.append("box", ask<box_distance>(out, glm::vec3(3, 4, 0), glm::vec3(0)));
-    out.append("box", ask<box_distance>(out, glm::vec3(0.5F, 3, -0.25F), glm::vec3(2, 0, 2)));
+        out.append("box", ask<box_distance>(out, near(p), near({1, 2, 3})));
+    out.append("box", ask<box_distance>(out, near({3, 4, 0}), glm::vec3(0)));
+    out.append("box", ask<box_distance>(out, near({0.5F, 3, -0.25F}), near({2, 0, 2})));
     for (const glm::vec3 p :
          {glm::vec3(3, 0, 0), {0, 0, -4}, {0, 0, 0}, {0, 4, 0}, {6, 4, 0}, {3, 1, 0}, {0, -4, -6}, {2, 0.5F, 0}})
-        out.append("torus", ask<torus_distance>(out, p, 3.0F, 1.0F));
-    const glm::vec3 a(1, 0, 0);
-    const glm::vec3 b(5, 0, 0);
+        out.append("torus", ask<torus_distance>(out, near(p), vary.near(3.0F, 0.2F), vary.near(1.0F, 0.2F)));
+    const glm::vec3 a = near({1, 0, 0});
+    const glm::vec3 b = near({5, 0, 0});
     for (const glm::vec3 p : {glm::vec3(3, 4, 0), {-2, 4, 0}, {8, 0, 4}, {2, 0, 0}, {3, 0.5F, 0}, {0.5F, 0, 0}})
-        out.append("capsule", ask<capsule_distance>(out, p, a, b, 1.0F));
-    out.append("capsule", ask<capsule_distance>(out, glm::vec3(4, 4, 0), a, a, 2.0F));
-    out.append("capsule", ask<capsule_distance>(out, glm::vec3(3, 4, 1), glm::vec3(0, 0, 1), glm::vec3(0, 0, 9), 0.5F));
+        out.append("capsule", ask<capsule_distance>(out, near(p), a, b, vary.near(1.0F, 0.2F)));
+    out.append("capsule", ask<capsule_distance>(out, near({4, 4, 0}), a, a, vary.near(2.0F, 0.2F)));
+    out.append("capsule", ask<capsule_distance>(out, near({3, 4, 1}), near({0, 0, 1}), near({0, 0, 9}), 0.5F));
 }
 
 // Every third time all lengths are a power of two times as large, from a millionth to a million; the answers, divided
@@ -86,31 +92,37 @@ void record_pair(Recorder& out, const TraceShot& hit, const TraceShot& miss, Ran
 }
 
 // Planes and balls met head-on: two steps, exact.
-void traces_by_hand(Recorder& out)
+void traces_by_hand(Variation& vary, Recorder& out)
 {
+    // All lengths are multiplied by the same: t too.
+    const float size = other_size(vary);
+    const auto record_sized = [&](TraceShot shot) {
+        shot.ray = sized(shot.ray, size);
+        record(out, shot);
+    };
     const auto ground = [] { return half_space({0, 1, 0}, 0); };
-    const auto ball = [] { return ball_at({0, 5, 0}, 1); };
+    const auto ball = [size] { return ball_at({0, size * 5, 0}, size); };
     const Ray down{{0, 3, 0}, {0, -1, 0}};
     const Ray up{{0, 3, 0}, {0, 1, 0}};
     const TraceLimits limits{1e-4F, 64};
-    record(out, {down, {ground()}, limits});
-    record(out, {down, {ball(), ground()}, limits});
-    record(out, {up, {ground(), ball()}, limits});
-    record(out, {up, {ground()}, limits});
-    record(out, {down, {}, limits});
-    record(out, {down, {ball(), ground(), ground()}, limits});
-    record(out, {up, {ball(), ground(), ball()}, limits});
-    record(out, {{{7, 4, 0}, {0, -2, 0}}, {ground(), ground(), ball(), ground()}, limits});
-    record(out, {{{0, 5, 0}, {1, 0, 0}}, {ground(), ball()}, limits});
-    record(out, {{{0, 5.25F, 0}, {0, -1, 0}}, {ball()}, limits});
-    record(out, {{{0, -2, 0}, {0, 1, 0}}, {ground()}, limits});
-    record(out, {{{0, 0, 0}, {0, 1, 0}}, {ball(), ground()}, limits});
-    record(out, {{{0, 0, 0}, {0, 1, 0}, 0.5F}, {ball(), ground()}, limits});
-    record(out, {{{0, 8, 0}, {0, -2, 0}}, {ball(), ground()}, limits});
-    record(out, {{{0, 8, 0}, {0, -2, 0}, 1.75F}, {ball(), ground()}, limits});
-    record(out, {{{0, 3, 0}, {0, 1, 0}, -2}, {half_space({0, -1, 0}, -2)}, limits});
+    record_sized({down, {ground()}, limits});
+    record_sized({down, {ball(), ground()}, limits});
+    record_sized({up, {ground(), ball()}, limits});
+    record_sized({up, {ground()}, limits});
+    record_sized({down, {}, limits});
+    record_sized({down, {ball(), ground(), ground()}, limits});
+    record_sized({up, {ball(), ground(), ball()}, limits});
+    record_sized({{{7, 4, 0}, {0, -2, 0}}, {ground(), ground(), ball(), ground()}, limits});
+    record_sized({{{0, 5, 0}, {1, 0, 0}}, {ground(), ball()}, limits});
+    record_sized({{{0, 5.25F, 0}, {0, -1, 0}}, {ball()}, limits});
+    record_sized({{{0, -2, 0}, {0, 1, 0}}, {ground()}, limits});
+    record_sized({{{0, 0, 0}, {0, 1, 0}}, {ball(), ground()}, limits});
+    record_sized({{{0, 0, 0}, {0, 1, 0}, 0.5F}, {ball(), ground()}, limits});
+    record_sized({{{0, 8, 0}, {0, -2, 0}}, {ball(), ground()}, limits});
+    record_sized({{{0, 8, 0}, {0, -2, 0}, 1.75F}, {ball(), ground()}, limits});
+    record_sized({{{0, 3, 0}, {0, 1, 0}, -2}, {half_space({0, -1, 0}, size * -2)}, limits});
     // Both are within the tolerance of the last point; the second one is nearer.
-    record(out, {down, {ground(), half_space({0, 1, 0}, 0x1p-11F)}, {0x1p-10F, 64}});
+    record_sized({down, {ground(), half_space({0, 1, 0}, 0x1p-11F)}, {0x1p-10F, 64}});
 }
 
 void random_traces(Recorder& out, Random& random)
@@ -198,24 +210,24 @@ void limits(Recorder& out, Random& random)
     }
 }
 
-void record_picture(Recorder& out)
+void record_picture(Variation& vary, Recorder& out)
 {
     ask_in_words(out,
                  [] { return "sphere_trace(ray, {menger_distance of level 3}, {4e-4F, 90}) // rays for each pixel"; });
-    out.image("sponge", sponge_picture());
+    out.image("sponge", sponge_picture(vary));
 }
 
 }
 
 const Driver driver = {
-    {"distances by hand", [](Case&, Recorder& out) { distances_by_hand(out); }},
+    {"distances by hand", [](Case& c, Recorder& out) { distances_by_hand(c.vary, out); }},
     {"random distances", [](Case& c, Recorder& out) { random_distances(out, c.random); }},
     {"sponge", [](Case& c, Recorder& out) { sponge(out, c.random); }},
-    {"by hand", [](Case&, Recorder& out) { traces_by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { traces_by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { random_traces(out, c.random); }},
     {"from inside", [](Case& c, Recorder& out) { from_inside(out, c.random); }},
     {"limits", [](Case& c, Recorder& out) { limits(out, c.random); }},
-    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+    {"picture", [](Case& c, Recorder& out) { record_picture(c.vary, out); }},
 };
 
 }

@@ -59,10 +59,10 @@ inline glm::vec3 sponge_light(const Ray& ray, const Bodies& sponge)
            (0.55F / (from_lamp * from_lamp)) * (0.10F * open + lamp) * glm::vec3(1, 0.38F, 0.08F);
 }
 
-inline Image sponge_picture()
+inline Image sponge_picture(Variation& vary)
 {
     const Bodies sponge{[](const glm::vec3& p) { return menger_distance(p, 3); }};
-    return ray_traced(144, 136, {{2.5F, 1.75F, 3.6F}, {0, -0.05F, 0}, 0.39F},
+    return ray_traced(144, 136, varied(vary, {{2.5F, 1.75F, 3.6F}, {0, -0.05F, 0}, 0.39F}),
                       [&](const Ray& ray) { return sponge_light(ray, sponge); });
 }
 

@@ -31,12 +31,17 @@ void record(Recorder& out, const std::vector<TriangleShot>& shots)
 }
 
 // Answers that a student can check by hand, the course's first; each has a twin that passes beside the triangle.
-std::vector<TriangleShot> by_hand()
+std::vector<TriangleShot> by_hand(Variation& vary)
 {
     std::vector<TriangleShot> shots;
     const auto add = [&](glm::vec3 origin, glm::vec3 direction, Triangle triangle, glm::vec3 aside) {
-        shots.push_back({Ray{origin, direction}, triangle});
-        shots.push_back({Ray{origin + aside, direction}, triangle});
+        // Another size, and another corner is the first one.
+        const float size = other_size(vary);
+        for (int turns = vary.one_of(0, std::array{1, 2}); turns > 0; --turns)
+            triangle = {triangle.v1, triangle.v2, triangle.v0};
+        triangle = {size * triangle.v0, size * triangle.v1, size * triangle.v2};
+        shots.push_back({sized(Ray{origin, direction}, size), triangle});
+        shots.push_back({sized(Ray{origin + aside, direction}, size), triangle});
     };
     const Triangle unit{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     add({0.25F, 0.25F, 5}, {0, 0, -1}, unit, {0.35F, 0.35F, 0});
@@ -49,7 +54,7 @@ std::vector<TriangleShot> by_hand()
     add({1, 1, 10}, {0, 0, -1}, {{0, 0, 0}, {4, 0, 2}, {0, 4, 0}}, {-2, 0, 0});
     add({-2, 1, 3}, {1, 0, -1}, {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {4, 2, 0});
     add({0, 0, 0}, {1, 1, 1}, {{3, 0, 0}, {0, 3, 0}, {0, 0, 6}}, {4, 0, 0});
-    return shots;
+    return in_pairs(vary, std::move(shots));
 }
 
 /// A ray along an axis through the place (a, b), in quarters, of a triangle across it with legs that are powers of two:
@@ -233,25 +238,25 @@ void record_mesh(Random& random, Recorder& out)
     }
 }
 
-void record_picture(Recorder& out)
+void record_picture(Variation& vary, Recorder& out)
 {
     constexpr int size = 240;
+    const Camera camera = varied(vary, planet_camera);
     const std::vector<Triangle> triangles = bumpy_ball();
     const auto asked = [&](const Ray& ray, const Triangle& t) { return ask<intersect_triangle>(out, ray, t); };
     Grid<std::uint32_t> ids(size / 2, size / 2);
     for (int y = 0; y < ids.height; ++y)
         for (int x = 0; x < ids.width; ++x)
             ids.at(x, y) =
-                nearest(asked, camera_ray(planet_camera, ids.width, ids.height, glm::vec2(x, y) + 0.5F), triangles).id;
+                nearest(asked, camera_ray(camera, ids.width, ids.height, glm::vec2(x, y) + 0.5F), triangles).id;
     out.buffer("ids", ids);
-    out.image("planet",
-              ray_traced(size, size, planet_camera, [&](const Ray& ray) { return planet_light(ray, triangles); }));
+    out.image("planet", ray_traced(size, size, camera, [&](const Ray& ray) { return planet_light(ray, triangles); }));
 }
 
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { record_all(out, by_hand()); }},
+    {"by hand", [](Case& c, Recorder& out) { record_all(out, by_hand(c.vary)); }},
     {"random", [](Case& c, Recorder& out) { record_all(out, random_pairs(c.random, 800, 0.2, 1, 0.01)); }},
     {"edges", [](Case& c, Recorder& out) { record(out, at_the_edges(c.random)); }},
     {"intervals", [](Case& c, Recorder& out) { record(out, intervals(c.random)); }},
@@ -260,7 +265,7 @@ const Driver driver = {
     {"seams", [](Case& c, Recorder& out) { record_seams(c.random, out); }},
     {"mesh", [](Case& c, Recorder& out) { record_mesh(c.random, out); }},
     {"grazing", [](Case& c, Recorder& out) { record_all(out, random_pairs(c.random, 300, 1e-4, 1e-2, 0.1)); }},
-    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+    {"picture", [](Case& c, Recorder& out) { record_picture(c.vary, out); }},
 };
 
 }

@@ -23,11 +23,14 @@ void record_direct(Recorder& out, const lighting::Material& material, const glm:
 }
 
 // Answers that can be worked out by hand: vectors of 3, 4 and 5, whole exponents.
-void direct_by_hand(Recorder& out)
+void direct_by_hand(Variation& vary, Recorder& out)
 {
     const glm::vec3 up(0, 0, 1);
-    const lighting::Material matt_red{{}, {0.125F, 0, 0}, {0.5F, 0.25F, 0}, {}, 1};
-    const lighting::Material shiny{{9, 9, 9}, {0.1F, 0.2F, 0.3F}, {0.5F, 0.5F, 0.5F}, {1, 0.5F, 0.25F}, 2};
+    lighting::Material matt_red{{}, {0.125F, 0, 0}, {0.5F, 0.25F, 0}, {}, 1};
+    lighting::Material shiny{{9, 9, 9}, {0.1F, 0.2F, 0.3F}, {0.5F, 0.5F, 0.5F}, {1, 0.5F, 0.25F}, 2};
+    for (lighting::Material* const material : {&matt_red, &shiny})
+        for (glm::vec3* const color : {&material->ambient, &material->diffuse, &material->specular})
+            *color *= vary.scaled(1.0F, 1.3F);
     record_direct(out, matt_red, up, up, up);
     record_direct(out, matt_red, up, {0.6F, 0, 0.8F}, {0.6F, 0, 0.8F});
     record_direct(out, matt_red, up, {0.6F, 0, 0.8F}, {0, 0.8F, -0.6F});
@@ -103,15 +106,16 @@ void sky_and_surface(Recorder& out, Random& random)
 
 // Two mirrors that face each other, and a pane of glass between them that bends nothing: rays branch at it, and come
 // back for ever.
-void levels(Recorder& out)
+void levels(Variation& vary, Recorder& out)
 {
     Material silver;
     silver.local = {{0.5F, 0.25F, 0.125F}, {0.1F, 0.1F, 0.1F}, {}, {}, 1};
-    silver.mirrored = 0.5F;
+    silver.local.emission *= vary.scaled(1.0F, 1.3F);
+    silver.mirrored = vary.near(0.5F, 0.1F);
     silver.mirrored_color = {1, 0.5F, 1};
     Material pane = silver;
     pane.local.emission = {0, 0.125F, 1};
-    pane.refracted = 0.75F;
+    pane.refracted = vary.near(0.75F, 0.1F);
     pane.refracted_color = {1, 1, 0.5F};
     BuiltWorld world;
     for (const float x : {-2.0F, 2.0F}) world.panels.push_back({{x, -4, -4}, {0, 8, 0}, {0, 0, 8}, silver});
@@ -163,16 +167,16 @@ void looks(Recorder& out, Random& random, int count, Make make)
     for (int i = 0; i < count; ++i) record(out, make(random, static_cast<std::uint32_t>(i % 3)));
 }
 
-void record_picture(Recorder& out)
+void record_picture(Variation& vary, Recorder& out)
 {
     ask_in_words(out, [] { return "light_along(world, ray, 1) // of four rays for each pixel"; });
-    out.image("glass and mirrors", glass_and_mirrors());
+    out.image("glass and mirrors", glass_and_mirrors(vary));
 }
 
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { direct_by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { direct_by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { direct_random(out, c.random); }},
     {"sky and surface", [](Case& c, Recorder& out) { sky_and_surface(out, c.random); }},
     {"shadows", [](Case& c, Recorder& out) { shadows(out, c.random); }},
@@ -182,10 +186,10 @@ const Driver driver = {
      }},
     {"mirror", [](Case& c, Recorder& out) { looks(out, c.random, 90, mirror); }},
     {"glass", [](Case& c, Recorder& out) { looks(out, c.random, 150, interface_of_glass); }},
-    {"levels", [](Case&, Recorder& out) { levels(out); }},
+    {"levels", [](Case& c, Recorder& out) { levels(c.vary, out); }},
     {"glass bodies", [](Case& c, Recorder& out) { glass_bodies(out, c.random); }},
     {"random worlds", [](Case& c, Recorder& out) { random_worlds(out, c.random); }},
-    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+    {"picture", [](Case& c, Recorder& out) { record_picture(c.vary, out); }},
 };
 
 }

@@ -79,10 +79,11 @@ inline BuiltWorld still_world()
     return world;
 }
 
-inline Image glass_and_mirrors()
+inline Image glass_and_mirrors(Variation& vary)
 {
     const BuiltWorld world = still_world();
-    return ray_traced(264, 208, {{0.2F, 2.3F, 7.2F}, {0, 0.95F, 0}, 0.37F}, [&](const Ray& ray) {
+    const Camera camera = varied(vary, {{0.2F, 2.3F, 7.2F}, {0, 0.95F, 0}, 0.37F});
+    return ray_traced(264, 208, camera, [&](const Ray& ray) {
         (void)world.take_rays();
         return light_along(world, ray, 1);
     });
