@@ -1,10 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <kit/drawing.hpp>
 #include <umbral/meshes/area.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 
 #include "../bodies.hpp"
 
@@ -38,10 +40,10 @@ inline void draw_ball(Recorder& out, Drawing& drawing, glm::dvec2 middle, double
 
 /// Left: a ball. Right: how far the areas of finer and finer balls are from 4 π, both in powers of ten: four times the
 /// triangles, a quarter of the error.
-inline Image draw_diagram(Recorder& out)
+inline Image draw_diagram(Recorder& out, Variation& vary)
 {
     Drawing drawing(600, 300, {0, 0}, {12, 6});
-    draw_ball(out, drawing, {2.9, 3}, 2.5, 18);
+    draw_ball(out, drawing, {2.9, 3}, 2.5, vary.one_of(18U, std::array{14U, 16U, 20U}));
 
     constexpr glm::dvec2 origin(6.4, 0.6);
     const auto place = [&](double triangles, double error) {
@@ -54,12 +56,13 @@ inline Image draw_diagram(Recorder& out)
     drawing.line(place(10, 1.6e-6), place(1e6, 1.6e-6), ink::slate, 2);
 
     glm::dvec2 before(0);
-    for (std::uint32_t columns = 8; columns <= 1024; columns *= 2) {
+    const std::uint32_t fewest = vary.one_of(8U, std::array{6U, 10U, 12U});
+    for (std::uint32_t columns = fewest; columns <= 1024; columns *= 2) {
         const IndexedMesh mesh = ball(columns, columns / 2);
         const double exact = 12.566370614359172;
         const double error = std::max(1e-6, std::abs(double{ask<surface_area>(out, mesh)} - exact) / exact);
         const glm::dvec2 here = place(static_cast<double>(mesh.triangles.size()), error);
-        if (columns > 8) drawing.line(before, here, ink::blue, 2);
+        if (columns > fewest) drawing.line(before, here, ink::blue, 2);
         drawing.disc(here, 5, ink::orange);
         before = here;
     }

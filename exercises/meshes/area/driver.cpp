@@ -54,14 +54,14 @@ void record_known(Variation& vary, Recorder& out)
     record_varied(course_example());
 }
 
-void record_random(Random& random, Recorder& out)
+void record_random(Random& random, Variation& vary, Recorder& out)
 {
     for (int i = 0; i < 6; ++i) {
         IndexedMesh mesh = hills(9, 7, random);
         turn(mesh, random);
         record(out, shuffled(mesh, random));
     }
-    record(out, trefoil(30, 7, 0.4));
+    record(out, varied(vary, trefoil(30, 7, 0.4)));
 }
 
 // Corners are multiples of 1/64, so that what is degenerate is so in any arithmetic.
@@ -125,19 +125,19 @@ void record_enlarged(Random& random, Recorder& out)
 
 const Driver driver = {
     {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
-    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, c.vary, out); }},
     {"degenerate", [](Case& c, Recorder& out) { record_degenerate(c.random, out); }},
     {"slivers", [](Case& c, Recorder& out) { record_slivers(c.random, out); }},
     {"tiny and huge", [](Case& c, Recorder& out) { record_scales(c.random, out); }},
     {"far from the origin", [](Case& c, Recorder& out) { record_far(c.random, out); }},
     {"a million triangles",
      [](Case& c, Recorder& out) {
-         out.append("meshes", ask<surface_area>(out, torus(500, 1000)));
-         out.append("meshes", ask<surface_area>(out, sheet_after_a_square(400)));
+         out.append("meshes", ask<surface_area>(out, varied(c.vary, torus(500, 1000))));
+         out.append("meshes", ask<surface_area>(out, varied(c.vary, sheet_after_a_square(400))));
          out.append("meshes", ask<surface_area>(out, sheet_of_all_sizes(400, c.random)));
      }},
     {"laws", [](Case& c, Recorder& out) { record_enlarged(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_diagram(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_diagram(out, c.vary)); }},
 };
 
 }

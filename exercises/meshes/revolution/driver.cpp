@@ -1,5 +1,6 @@
 #include <kit/canonical.hpp>
 #include <kit/magnitude.hpp>
+#include <kit/varied.hpp>
 #include <stdexcept>
 #include <umbral/meshes/revolution.hpp>
 #include <umbral/record/ask.hpp>
@@ -56,6 +57,14 @@ void record_whole(Recorder& out, const Profile& profile, std::uint32_t copies, f
     record_indices(out, "triangles", 1, surface.mesh.triangles, 2 * profile.size() * copies);
 }
 
+/// A profile that is written down; varied, with a point more on its first side, turned in more copies, in another unit.
+void record_written(Case& c, Recorder& out, Profile profile, std::uint32_t copies, float unit = 1)
+{
+    if (c.vary) profile.insert(profile.begin() + 1, 0.5F * (profile[0] + profile[1]));
+    const std::array more{copies + 1, copies + 2, copies + 3};
+    record_whole(out, profile, c.vary.one_of(copies, more), unit * other_unit(c.vary, 8));
+}
+
 /// The first and the last copy, which must lie in the same place to the last bit.
 void record_seam(Recorder& out, const Profile& profile, std::uint32_t copies)
 {
@@ -89,9 +98,9 @@ void record_many(Random& random, Recorder& out)
 }
 
 /// 1 where a surface came back, 2 where the attempt was refused, 3 where something else was thrown.
-void record_attempts(Recorder& out)
+void record_attempts(Variation& vary, Recorder& out)
 {
-    for (const Attempt& attempt : attempts()) {
+    for (const Attempt& attempt : varied(vary, attempts())) {
         float outcome = 1;
         try {
             (void)ask<revolve>(out, attempt.profile, attempt.copies);
@@ -108,10 +117,10 @@ void record_attempts(Recorder& out)
 
 const Driver driver = {
     {"known",
-     [](Case&, Recorder& out) {
-         record_whole(out, {{2, 0}, {2, 3}, {1, 3}}, 5);
-         record_whole(out, {{0, -1}, {1, 0}, {0, 1}}, 9);
-         record_whole(out, semicircle(7), 13);
+     [](Case& c, Recorder& out) {
+         record_written(c, out, {{2, 0}, {2, 3}, {1, 3}}, 5);
+         record_written(c, out, {{0, -1}, {1, 0}, {0, 1}}, 9);
+         record_written(c, out, semicircle(7), 13);
          out.text("triangles.names", names_of_triangles);
      }},
     {"profiles",
@@ -124,15 +133,15 @@ const Driver driver = {
          out.text("triangles.names", names_of_triangles);
      }},
     {"creases and poles",
-     [](Case&, Recorder& out) {
-         record_whole(out, {{0, 0}, {1, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 1}}, 6);
-         record_whole(out, {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 3}, {1, 2}}, 8);
-         record_whole(out, {{1, 0}, {2, 0}, {1, 0}}, 5);
+     [](Case& c, Recorder& out) {
+         record_written(c, out, {{0, 0}, {1, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 1}}, 6);
+         record_written(c, out, {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 3}, {1, 2}}, 8);
+         record_written(c, out, {{1, 0}, {2, 0}, {1, 0}}, 5);
          // Folds: sums of 2^-16 and 2^-24, on either side of the shortest that has a direction.
-         record_whole(out, {{1, 0}, {2, 0}, {1, 0x1p-16F}}, 5);
-         record_whole(out, {{1, 0}, {2, 0}, {1, 0x1p-24F}}, 5);
-         record_whole(out, profiles::pawn(), 7);
-         record_whole(out, {{0, 0}, {1, 0.5F}, {1, 0.5F}, {2, 2}, {0, 3}}, 5, 0x1p-16F);
+         record_written(c, out, {{1, 0}, {2, 0}, {1, 0x1p-16F}}, 5);
+         record_written(c, out, {{1, 0}, {2, 0}, {1, 0x1p-24F}}, 5);
+         record_written(c, out, profiles::pawn(), 7);
+         record_written(c, out, {{0, 0}, {1, 0.5F}, {1, 0.5F}, {2, 2}, {0, 3}}, 5, 0x1p-16F);
          out.text("triangles.names", names_of_triangles);
      }},
     {"seam",
@@ -141,8 +150,8 @@ const Driver driver = {
              record_seam(out, some_profile(c.random), copies);
      }},
     {"many", [](Case& c, Recorder& out) { record_many(c.random, out); }},
-    {"refused", [](Case&, Recorder& out) { record_attempts(out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("surfaces", picture(out)); }},
+    {"refused", [](Case& c, Recorder& out) { record_attempts(c.vary, out); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("surfaces", picture(out, c.vary)); }},
 };
 
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <kit/profiles.hpp>
+#include <kit/varied.hpp>
 #include <limits>
 #include <umbral/core/random.hpp>
 #include <vector>
@@ -95,6 +96,18 @@ inline std::vector<Attempt> attempts()
             {{{1, 0}, {1, -1e30F}}, 5},    {{{1, 0}, {1, -infinity}}, 5},
             {{{2, 0}, {1, 1}}, 6},         {{{2, 0}, {1, not_a_number}}, 6},
             {{{-0.0F, 0}, {1, 1}}, 5},     {{{-1e-44F, 0}, {1, 1}}, 5}};
+}
+
+/// The pairs in another order, each begun with either. As written unless inputs are to vary.
+inline std::vector<Attempt> varied(Variation& vary, const std::vector<Attempt>& all)
+{
+    std::vector<std::vector<Attempt>> pairs;
+    for (std::size_t i = 0; i + 1 < all.size(); i += 2)
+        pairs.push_back(in_random_order(vary, std::vector{all[i], all[i + 1]}));
+    std::vector<Attempt> result;
+    for (const std::vector<Attempt>& pair : in_random_order(vary, pairs))
+        result.insert(result.end(), pair.begin(), pair.end());
+    return result;
 }
 
 }

@@ -6,6 +6,7 @@
 #include <kit/stage.hpp>
 #include <umbral/meshes/revolution.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <vector>
 
 #include "profiles.hpp"
@@ -68,13 +69,17 @@ inline void draw(const gl::Program& program, TexturedMesh surface)
         .draw();
 }
 
-/// 600 x 260 pixels: a pawn, a vase and a globe.
-inline Image picture(Recorder& out)
+/// 600 x 260 pixels: a pawn, a vase and a globe. Varied, they are wider or more slender.
+inline Image picture(Recorder& out, Variation& vary)
 {
     constexpr int width = 200;
     constexpr int height = 260;
     const Stage stage(3 * width, height, ink::night, patterns);
-    const Profile profiles[] = {profiles::pawn(), vase(), semicircle(25)};
+    Profile profiles[] = {profiles::pawn(), vase(), semicircle(25)};
+    for (Profile& profile : profiles) {
+        const float wide = vary.one_of(1.0F, std::array{0.65F, 0.75F, 1.2F});
+        for (glm::vec2& point : profile) point.x *= wide;
+    }
     const float middles[] = {0.95F, 0.82F, 0};
     stage.set({.gloss = 0.35F});
     stage.program().set("two_sided", 1);

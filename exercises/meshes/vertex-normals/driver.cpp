@@ -60,7 +60,7 @@ void record_known(Variation& vary, Recorder& out)
     record_varied(cube);
 }
 
-void record_random(Random& random, Recorder& out)
+void record_random(Random& random, Variation& vary, Recorder& out)
 {
     for (int i = 0; i < 5; ++i) {
         IndexedMesh mesh = hills(12, 9, random);
@@ -68,7 +68,7 @@ void record_random(Random& random, Recorder& out)
         begin_anywhere(mesh, random);
         record(out, mesh);
     }
-    record(out, trefoil(40, 7, 0.4));
+    record(out, varied(vary, trefoil(40, 7, 0.4)));
     record_behind_others(out, hills(12, 9, random));
 }
 
@@ -217,7 +217,7 @@ void record_work(Random& random, Recorder& out)
 
 const Driver driver = {
     {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
-    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, c.vary, out); }},
     {"degenerate", [](Case& c, Recorder& out) { record_degenerate(c.random, out); }},
     {"slivers", [](Case& c, Recorder& out) { record_slivers(c.random, out); }},
     {"sharp folds", [](Case& c, Recorder& out) { record_folds(c.random, out); }},
