@@ -4,6 +4,7 @@
 #include <kit/picture.hpp>
 #include <limits>
 #include <umbral/lighting/brightest_point.hpp>
+#include <umbral/record/variation.hpp>
 #include <vector>
 
 /// The goal picture: glass baubles in the light of three lamps. Stars are highlights; gold leaf is painted round the
@@ -78,13 +79,16 @@ inline glm::vec3 night(const std::vector<BlurredLight>& lights, const glm::vec2&
     return sum;
 }
 
-inline Image baubles(int width, int height)
+/// Varied, the lamps are turned about the tree.
+inline Image baubles(int width, int height, Variation vary = {})
 {
     constexpr glm::vec3 eye(0, 0, 12);
     constexpr float half_width = 0.44F;  // of the picture, at a distance of 1
-    const std::array<Light, 3> lamps = {{{{-5.0F, 5.0F, 5.5F, 1}, {1.00F, 0.82F, 0.55F}},
-                                         {{6.5F, 2.0F, 4.0F, 1}, {0.22F, 0.32F, 0.62F}},
-                                         {{1.0F, -6.0F, 2.0F, 1}, {0.30F, 0.10F, 0.09F}}}};
+    std::array<Light, 3> lamps = {{{{-5.0F, 5.0F, 5.5F, 1}, {1.00F, 0.82F, 0.55F}},
+                                   {{6.5F, 2.0F, 4.0F, 1}, {0.22F, 0.32F, 0.62F}},
+                                   {{1.0F, -6.0F, 2.0F, 1}, {0.30F, 0.10F, 0.09F}}}};
+    const glm::mat4 turned(vary.turn({0, 0, 1}, 1));
+    for (Light& lamp : lamps) lamp.position = turned * lamp.position;
     const std::vector<Bauble> all = hung_baubles();
     const std::vector<BlurredLight> blurred = blurred_lights();
     struct Leaf {

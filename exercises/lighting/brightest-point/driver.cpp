@@ -203,7 +203,7 @@ const Driver driver = {
     {"close", [](Case& c, Recorder& out) { record_close(c.random, out); }},
     {"far", [](Case& c, Recorder& out) { record_far(c.random, out); }},
     {"edge", [](Case& c, Recorder& out) { record_edge(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("baubles", baubles(400, 260)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("baubles", baubles(400, 260, c.vary)); }},
 };
 
 }

@@ -81,14 +81,16 @@ public:
         return standard_ && std::all_of(graph_.materials.begin(), graph_.materials.end(), is_there);
     }
 
-    void draw() const
+    /// As the camera sees it, and, between camera and board, turned.
+    void draw(const glm::mat3& turned = glm::mat3(1)) const
     {
         glEnable(GL_DEPTH_TEST);
         glMatrixMode(GL_PROJECTION);
         const glm::mat4 projection = glm::perspective(glm::radians(33.0F), 1.0F, 0.5F, 40.0F);
         glLoadMatrixf(glm::value_ptr(projection));
         glMatrixMode(GL_MODELVIEW);
-        const glm::mat4 view = glm::lookAt(glm::vec3(2.7F, 4.5F, 8.0F), glm::vec3(0.1F, 0.3F, 0.15F), {0, 1, 0});
+        const glm::mat4 view =
+            glm::lookAt(glm::vec3(2.7F, 4.5F, 8.0F), glm::vec3(0.1F, 0.3F, 0.15F), {0, 1, 0}) * glm::mat4(turned);
         glLoadMatrixf(glm::value_ptr(view));
         FrameLighting lighting;
         lighting.lights = {{{glm::vec4(Stage::sun(), 0), {0.88F, 0.79F, 0.65F}}, LightFrame::world},

@@ -46,14 +46,22 @@ void activations(Recorder& out, Random& random, const std::vector<Recipe>& all)
     }
 }
 
-void materials_by_hand(Recorder& out, Random& random)
+// Varied, colours are others, and exponents smaller.
+void materials_by_hand(Case& c, Recorder& out)
 {
     const auto texture = std::make_shared<NamedTexture>(7);
-    activations(out, random,
-                {{{}, nullptr},
-                 {{{0.125F, 0, 0.25F}, {0.25F, 0.5F, 0.125F}, {0.5F, 0.25F, 1}, {0.5F, 1, 0.25F}, 2}, texture},
-                 {{{}, {}, {}, glm::vec3(1), 0}, nullptr},
-                 {{{4, 0, 0}, {}, {}, {}, 10'000}, texture}});
+    std::vector<Recipe> all = {
+        {{}, nullptr},
+        {{{0.125F, 0, 0.25F}, {0.25F, 0.5F, 0.125F}, {0.5F, 0.25F, 1}, {0.5F, 1, 0.25F}, 2}, texture},
+        {{{}, {}, {}, glm::vec3(1), 0}, nullptr},
+        {{{4, 0, 0}, {}, {}, {}, 10'000}, texture}};
+    for (auto& [reflection, one] : all) {
+        for (glm::vec3* const color :
+             {&reflection.emission, &reflection.ambient, &reflection.diffuse, &reflection.specular})
+            *color *= c.vary.near(glm::vec3(1), 0.25F);
+        reflection.shininess *= c.vary.one_of(1.0F, std::array{0.5F, 0.75F});
+    }
+    activations(out, c.random, all);
 }
 
 // One after the other on one pipeline, and by turns on two; the materials know nothing of that.
@@ -193,7 +201,8 @@ void calls(Recorder& out)
     gl::record_trace(out, "calls", gl::end_trace());
 }
 
-void picture(Recorder& out)
+// Varied, the board is turned.
+void picture(Variation& vary, Recorder& out)
 {
     constexpr int size = 288;
     const LinearFrame frame(2 * size, 2 * size);
@@ -201,14 +210,14 @@ void picture(Recorder& out)
     const Board board;
     if (!board.complete()) return;
     ask_in_words(out, [] { return "draw_graph(chessboard(), context);"; });
-    board.draw();
+    board.draw(vary.turn({0, 1, 0}, 0.6F));
     out.image("board", frame.picture());
 }
 
 }
 
 const Driver driver = {
-    {"by hand", [](Case& c, Recorder& out) { materials_by_hand(out, c.random); }},
+    {"by hand", [](Case& c, Recorder& out) { materials_by_hand(c, out); }},
     {"random", [](Case& c, Recorder& out) { activations(out, c.random, recipes(c.random, 12)); }},
     {"in turn", [](Case& c, Recorder& out) { in_turn(out, c.random); }},
     {"ownership", [](Case& c, Recorder& out) { ownership(out, c.random); }},
@@ -216,7 +225,7 @@ const Driver driver = {
     {"random graphs", [](Case& c, Recorder& out) { graphs(out, c.random, 8, true); }},
     {"without light", [](Case& c, Recorder& out) { graphs(out, c.random, 4, false); }},
     {"calls", [](Case&, Recorder& out) { calls(out); }},
-    {"picture", [](Case&, Recorder& out) { picture(out); }},
+    {"picture", [](Case& c, Recorder& out) { picture(c.vary, out); }},
 };
 
 }

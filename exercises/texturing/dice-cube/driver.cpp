@@ -1,3 +1,4 @@
+#include <array>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -32,21 +33,33 @@ glm::vec2 random_place(Random& random)
     }
 }
 
-// Calls `observe` for all faces, each by the number that the die shows there, with a random place on it.
+// Calls `observe` for all faces, each by the number that the die shows there. Varied, the first one is another.
 template <class Observe>
-void record_faces(Random& random, const Observe& observe)
+void for_each_face(Variation& vary, const Observe& observe)
 {
-    for (std::size_t face = 0; face < sides.size(); ++face)
-        for (int i = 0; i < 12; ++i) observe(static_cast<float>(face + 1), sides[face], random_place(random));
+    const std::size_t first = vary.one_of(0, std::array{1, 2, 3, 4, 5});
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const std::size_t face = (first + i) % sides.size();
+        observe(static_cast<float>(face + 1), sides[face]);
+    }
+}
+
+// The same twelve times each, with a random place on the face.
+template <class Observe>
+void record_faces(Case& c, const Observe& observe)
+{
+    for_each_face(c.vary, [&](float face, const Side& side) {
+        for (int i = 0; i < 12; ++i) observe(face, side, random_place(c.random));
+    });
 }
 
 // In pairs: one place on a side, and one in its plane beside it, where there must be nothing.
-void record_covers(Recorder& out, const std::vector<Triangle>& triangles, Random& random)
+void record_covers(Recorder& out, const std::vector<Triangle>& triangles, Case& c)
 {
     out.columns("covers", "face, outward triangles, inward triangles");
-    record_faces(random, [&](float face, const Side& side, glm::vec2 on) {
-        const glm::vec2 beside = on + (random.below(2) == 0 ? glm::vec2(1, 0) : glm::vec2(0, -1));
-        const bool on_first = random.below(2) == 0;
+    record_faces(c, [&](float face, const Side& side, glm::vec2 on) {
+        const glm::vec2 beside = on + (c.random.below(2) == 0 ? glm::vec2(1, 0) : glm::vec2(0, -1));
+        const bool on_first = c.random.below(2) == 0;
         for (const glm::vec2 place : {on_first ? on : beside, on_first ? beside : on})
             out.append("covers", glm::vec3(face, seen(triangles, side, place).covers));
     });
@@ -57,9 +70,9 @@ void record_dice(Case& c, Recorder& out)
     const TexturedCube cube = ask<dice_cube>(out);
     record_sizes(out, cube);
     const std::vector<Triangle> triangles = triangles_of(cube);
-    record_covers(out, triangles, c.random);
+    record_covers(out, triangles, c);
     out.columns("coordinates", "face, u, v");
-    record_faces(c.random, [&](float face, const Side& side, glm::vec2 place) {
+    record_faces(c, [&](float face, const Side& side, glm::vec2 place) {
         out.append("coordinates", glm::vec3(face, seen(triangles, side, place).coordinates));
     });
     record_sizes(out, ask<dice_cube>(out));
@@ -72,7 +85,7 @@ void record_lit(Case& c, Recorder& out)
     const std::vector<Triangle> triangles = triangles_of(cube);
     out.columns("coordinates", "face, u, v");
     out.columns("normals", "face, x, y, z");
-    record_faces(c.random, [&](float face, const Side& side, glm::vec2 place) {
+    record_faces(c, [&](float face, const Side& side, glm::vec2 place) {
         const Seen at = seen(triangles, side, place);
         out.append("coordinates", glm::vec3(face, at.coordinates));
         out.append("normals", glm::vec4(face, at.normal));
@@ -85,19 +98,19 @@ void record_replicated(Case& c, Recorder& out)
     const TexturedCube cube = ask<replicated_cube>(out);
     record_sizes(out, cube);
     const std::vector<Triangle> triangles = triangles_of(cube);
-    record_covers(out, triangles, c.random);
+    record_covers(out, triangles, c);
     out.columns("corners", "face, u, v");
-    for (std::size_t face = 0; face < sides.size(); ++face)
-        for (const glm::vec2& at : corners_of(triangles, sides[face]))
-            out.append("corners", glm::vec3(static_cast<float>(face + 1), at));
+    for_each_face(c.vary, [&](float face, const Side& side) {
+        for (const glm::vec2& at : corners_of(triangles, side)) out.append("corners", glm::vec3(face, at));
+    });
     record_sizes(out, ask<replicated_cube>(out));
 }
 
-Image picture(Recorder& out)
+Image picture(Case& c, Recorder& out)
 {
     const TexturedCube dice = ask<dice_cube>(out);
     const TexturedCube lit = ask<lit_dice_cube>(out);
-    return texturing::picture(dice, lit, upright(ask<replicated_cube>(out)));
+    return texturing::picture(dice, lit, upright(ask<replicated_cube>(out)), c.vary);
 }
 
 }
@@ -106,7 +119,7 @@ const Driver driver = {
     {"dice", [](Case& c, Recorder& out) { record_dice(c, out); }},
     {"lit", [](Case& c, Recorder& out) { record_lit(c, out); }},
     {"replicated", [](Case& c, Recorder& out) { record_replicated(c, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", picture(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", picture(c, out)); }},
 };
 
 }

@@ -3,6 +3,7 @@
 #include <kit/attributes.hpp>
 #include <kit/shapes.hpp>
 #include <kit/stage.hpp>
+#include <umbral/record/variation.hpp>
 
 #include "observe.hpp"
 
@@ -101,10 +102,12 @@ inline TexturedCube upright(const TexturedCube& cube)
     return result;
 }
 
-inline Image picture(const TexturedCube& dice, const TexturedCube& lit, const TexturedCube& replicated)
+/// Varied, it is seen from another side.
+inline Image picture(const TexturedCube& dice, const TexturedCube& lit, const TexturedCube& replicated,
+                     Variation vary = {})
 {
     const Stage stage(480, 360, {0.10F, 0.14F, 0.13F}, dice_paint);
-    stage.look({0.2F, 3.5F, 5.2F}, {0.05F, 0.42F, 0}, 29, 4.0F / 3);
+    stage.look(vary.turn({0, 1, 0}, 1.5F) * glm::vec3(0.2F, 3.5F, 5.2F), {0.05F, 0.42F, 0}, 29, 4.0F / 3);
     const gl::Program& program = stage.program();
     const Finish felt{.fade = 0.03F};
     constexpr glm::vec3 felt_color(0.02F, 0.16F, 0.09F);

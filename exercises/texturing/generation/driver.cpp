@@ -19,12 +19,17 @@ void planes(Case& c, Recorder& out)
     const auto record = [&](const char* name, const glm::vec3& origin, const glm::vec3& axis) {
         out.append(name, ask<plane_along>(out, origin, axis));
     };
-    record("by hand", {0, 0, 0}, {1, 0, 0});
-    record("by hand", {0, 0, 0}, {0, 1, 0});
-    record("by hand", {2, 5, -1}, {0, 0, 4});
-    record("by hand", {1, 2, 3}, {0.5F, -0.25F, 1});
-    record("by hand", {-3, 0, 2}, {0, 0, 0});
-    record("by hand", {4, -8, 16}, {-2, 0.5F, 0.125F});
+    // Varied, they are turned exactly.
+    const auto by_hand = [&](const glm::vec3& origin, const glm::vec3& axis) {
+        const ExactMap map = c.vary.exact_map(1);
+        record("by hand", map.place(origin), map.place(axis));
+    };
+    by_hand({0, 0, 0}, {1, 0, 0});
+    by_hand({0, 0, 0}, {0, 1, 0});
+    by_hand({2, 5, -1}, {0, 0, 4});
+    by_hand({1, 2, 3}, {0.5F, -0.25F, 1});
+    by_hand({-3, 0, 2}, {0, 0, 0});
+    by_hand({4, -8, 16}, {-2, 0.5F, 0.125F});
     for (int i = 0; i < 200; ++i) {
         const glm::vec3 origin = 4.0F * random_plane(c.random);
         const glm::vec3 axis = random_plane(c.random);
@@ -157,7 +162,7 @@ void state(Case& c, Recorder& out)
 }
 
 const Driver driver = {
-    {"board", [](Case&, Recorder& out) { out.image("picture", board(out, 480, 360)); }},
+    {"board", [](Case& c, Recorder& out) { out.image("picture", board(out, 480, 360, c.vary)); }},
     {"planes", planes},
     {"fixed", [](Case& c, Recorder& out) { fixed(c, out, "st", 60); }},
     {"sequence", sequence},

@@ -7,6 +7,7 @@
 #include <kit/picture.hpp>
 #include <kit/shapes.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 
 #include "../support.hpp"
 #include "measure.hpp"
@@ -190,7 +191,8 @@ inline glm::mat4 lying(const glm::vec3& place, float turn)
     return glm::rotate(standing(place + glm::vec3(0, 0.53F, 0), turn), 1.44F, glm::vec3(0, 0, 1));
 }
 
-inline Image board(Recorder& out, int width, int height)
+/// Varied, the table is turned.
+inline Image board(Recorder& out, int width, int height, Variation vary = {})
 {
     const DoubleFrame frame(width, height, {0.03F, 0.035F, 0.05F});
     const gl::Program program({"your vertex shader", ask<generator_vertex_shader>(out)}, {"board.frag", R"(#version 330
@@ -226,7 +228,7 @@ void main() { color = vec4(shade, 1.0) * texture(picture, st); }
             shadows.emplace_back(glm::vec3(piece.model * glm::vec4(0, along, 0, 1)), size * radius);
         }
     }
-    const glm::mat4 view = glm::lookAt(board_eye, {0, 0.45F, 0}, {0, 1, 0});
+    const glm::mat4 view = glm::lookAt(board_eye, {0, 0.45F, 0}, {0, 1, 0}) * glm::mat4(vary.turn({0, 1, 0}, 0.6F));
     const glm::mat4 projection =
         glm::perspective(glm::radians(38.0F), static_cast<float>(width) / static_cast<float>(height), 0.5F, 40.0F);
     program.set("projection", projection);

@@ -265,7 +265,7 @@ const Driver driver = {
     {"far out", [](Case& c, Recorder& out) { far_out(c.random, out); }},
     {"beside borders", [](Case& c, Recorder& out) { beside_borders(c.random, out); }},
     {"laws", [](Case& c, Recorder& out) { record_cycled(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", picture(out, 480, 320)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", picture(out, 480, 320, c.vary)); }},
 };
 
 }

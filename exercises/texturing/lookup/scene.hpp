@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kit/color.hpp>
+#include <umbral/record/variation.hpp>
 
 #include "../support.hpp"
 
@@ -95,12 +96,14 @@ struct Painter {
     }
 };
 
-inline Image picture(Recorder& out, int width, int height)
+/// Varied, it is seen from another side.
+inline Image picture(Recorder& out, int width, int height, Variation vary = {})
 {
     const Painter painter;
-    const glm::vec3 eye(0, 2.6F, 5.0F);
+    const glm::mat3 turned = vary.turn({0, 1, 0}, 0.5F);
+    const glm::vec3 eye = turned * glm::vec3(0, 2.6F, 5.0F);
     const glm::vec3 forward = normalize(glm::vec3(0, 1.16F, 0) - eye);
-    const glm::vec3 right(1, 0, 0);
+    const glm::vec3 right = turned * glm::vec3(1, 0, 0);
     const glm::vec3 up = cross(right, forward);
     Image image(width, height);
     for (int y = 0; y < height; ++y)

@@ -263,7 +263,7 @@ void random(Case& c, Recorder& out)
 }
 
 const Driver driver = {
-    {"gallery", [](Case&, Recorder& out) { out.image("picture", gallery(out, 480, 360)); }},
+    {"gallery", [](Case& c, Recorder& out) { out.image("picture", gallery(out, 480, 360, c.vary)); }},
     {"texels", texels},
     {"outside", outside},
     {"minified", minified},

@@ -7,6 +7,7 @@
 #include <kit/shapes.hpp>
 #include <string>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/texturing/upload.hpp>
 
 #include "../support.hpp"
@@ -219,7 +220,8 @@ inline std::vector<Furnishing> room()
     return pieces;
 }
 
-inline Image gallery(Recorder& out, int width, int height)
+/// Varied, it is seen from another place.
+inline Image gallery(Recorder& out, int width, int height, Variation vary = {})
 {
     constexpr Sampler repeated{Filter::bilinear, Wrap::repeat, Wrap::repeat};
     constexpr Sampler once{Filter::bilinear, Wrap::clamp_to_edge, Wrap::clamp_to_edge};
@@ -233,7 +235,7 @@ inline Image gallery(Recorder& out, int width, int height)
     ask_in_words(out, [] { return "// five textures, activated at units 0 to 4; each piece reads its own"; });
     for (std::size_t i = 0; i < textures.size(); ++i)
         if (textures[i]) textures[i]->activate(static_cast<int>(i));
-    const glm::vec3 eye(0.25F, 1.35F, 3.1F);
+    const glm::vec3 eye(vary.near(0.25F, 0.8F), 1.35F, 3.1F);
     program.set("camera", glm::perspective(glm::radians(40.0F), static_cast<float>(width) / static_cast<float>(height),
                                            0.1F, 30.0F) *
                               glm::lookAt(eye, {0, 1.12F, -2}, {0, 1, 0}));
