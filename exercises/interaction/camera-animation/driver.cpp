@@ -34,15 +34,15 @@ void record(Recorder& out, const CameraFlight& flight, float seconds)
 }
 
 // The course's flight, and others whose poses can be worked out by hand; times in no order.
-void record_worked(Recorder& out)
+void record_worked(Variation& vary, Recorder& out)
 {
-    const CameraFlight quarter{{0, 1, 5}, {5, 1, 0}, {0, 0, 0}, {0, 1, 0}, 4};
+    const CameraFlight quarter = varied(vary, {{0, 1, 5}, {5, 1, 0}, {0, 0, 0}, {0, 1, 0}, 4});
     for (const float seconds : {2.0F, 0.0F, 4.0F, 1.0F, 3.0F}) record(out, quarter, seconds);
-    const CameraFlight rising{{2, 0, 2}, {2, 10, 2}, {-2, 1, 5}, {-2, 1, -3}, 10};
+    const CameraFlight rising = varied(vary, {{2, 0, 2}, {2, 10, 2}, {-2, 1, 5}, {-2, 1, -3}, 10});
     for (const float seconds : {0.0F, 2.5F, 1.0F, 9.0F}) record(out, rising, seconds);
-    const CameraFlight short_one{{-3, 2, 0}, {1, 4, 8}, {1, 0, 0}, {1, 0, 0}, 0.5F};
+    const CameraFlight short_one = varied(vary, {{-3, 2, 0}, {1, 4, 8}, {1, 0, 0}, {1, 0, 0}, 0.5F});
     for (const float seconds : {0.125F, 0.375F, 0.25F}) record(out, short_one, seconds);
-    const CameraFlight standing{{1, 2, 3}, {1, 2, 3}, {4, 2, 3}, {1, 2, 7}, 8};
+    const CameraFlight standing = varied(vary, {{1, 2, 3}, {1, 2, 3}, {4, 2, 3}, {1, 2, 7}, 8});
     for (const float seconds : {6.0F, 1.0F}) record(out, standing, seconds);
 }
 
@@ -206,11 +206,12 @@ void record_refused(Recorder& out, Random& random)
 }
 
 // Six frames of a flight into the temple.
-void draw_flight(Recorder& out)
+void draw_flight(Variation& vary, Recorder& out)
 {
     const Stage stage(480, 320, {0.05F, 0.05F, 0.07F});
     const Temple temple;
-    const CameraFlight flight{{8.5F, 4.6F, 8}, {-1.8F, 1.9F, 1.3F}, {0, 1.5F, 0}, {0.3F, 1.85F, -0.6F}, 6};
+    const CameraFlight flight =
+        varied(vary, {{8.5F, 4.6F, 8}, {-1.8F, 1.9F, 1.3F}, {0, 1.5F, 0}, {0.3F, 1.85F, -0.6F}, 6});
     for (int frame = 0; frame < 6; ++frame) {
         const Panel panel{{4 + 238 * (frame % 2), 216 - 106 * (frame / 2)}, {234, 100}};
         const float seconds = 1.2F * static_cast<float>(frame);
@@ -222,7 +223,7 @@ void draw_flight(Recorder& out)
 }
 
 const Driver driver = {
-    {"worked", [](Case&, Recorder& out) { record_worked(out); }},
+    {"worked", [](Case& c, Recorder& out) { record_worked(c.vary, out); }},
     {"before and after", [](Case& c, Recorder& out) { record_before_and_after(out, c.random); }},
     {"random", [](Case& c, Recorder& out) { record_random(out, c.random); }},
     {"far poses", [](Case& c, Recorder& out) { record_far_poses(out, c.random); }},
@@ -230,7 +231,7 @@ const Driver driver = {
     {"straight above", [](Case& c, Recorder& out) { record_straight_above(out, c.random); }},
     {"through the target", [](Case& c, Recorder& out) { record_through(out, c.random); }},
     {"refused", [](Case& c, Recorder& out) { record_refused(out, c.random); }},
-    {"picture", [](Case&, Recorder& out) { draw_flight(out); }},
+    {"picture", [](Case& c, Recorder& out) { draw_flight(c.vary, out); }},
 };
 
 }

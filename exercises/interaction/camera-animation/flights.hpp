@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/interaction/camera_animation.hpp>
+#include <umbral/record/variation.hpp>
 
 /// Flights for the camera-animation unit.
 namespace umbral::interaction {
@@ -24,6 +25,19 @@ inline CameraFlight random_flight(Random& random, float reach = 8)
     flight.target_from = flight.eye_from + ahead();
     flight.target_to = flight.eye_to + ahead();
     flight.duration = std::pow(10.0F, random.uniform(-2, 4));
+    return flight;
+}
+
+/// The same flight between other places, if inputs are to vary; who stands still at the same place remains there.
+inline CameraFlight varied(Variation& vary, CameraFlight flight)
+{
+    const auto move = [&](glm::vec3& from, glm::vec3& to) {
+        const bool stands = from == to;
+        from = vary.near(from, 0.4F);
+        to = stands ? from : vary.near(to, 0.4F);
+    };
+    move(flight.eye_from, flight.eye_to);
+    move(flight.target_from, flight.target_to);
     return flight;
 }
 

@@ -19,17 +19,18 @@ void record_slerp(Recorder& out, const UnitQuaternion& from, const UnitQuaternio
 }
 
 // Quarter turns and the like, from and to all sides, and which half of a turn is taken.
-void record_known_turns(Recorder& out)
+void record_known_turns(Variation& vary, Recorder& out)
 {
     const UnitQuaternion none;
     for (const glm::dvec3 axis : {glm::dvec3(1, 0, 0), {0, 1, 0}, {0, 0, 1}, {1, 1, 1}})
-        for (const float u : {0.0F, 0.25F, 1.0F / 3, 0.5F, 1.0F}) {
-            record_slerp(out, none, about(axis, pi / 2), u);
+        for (const float written : {0.0F, 0.25F, 1.0F / 3, 0.5F, 1.0F}) {
+            const float u = written == std::round(written) ? written : vary.near(written, 0.15F);
+            record_slerp(out, none, about(axis, vary.near(pi / 2, 0.3)), u);
             record_slerp(out, about(axis, -pi / 3), about(axis, 2 * pi / 3), u);
         }
-    record_slerp(out, {1, {0, 0, 0}}, {0, {1, 0, 0}}, 0.25F);
-    record_slerp(out, {1, {0, 0, 0}}, {0, {0, 0, -1}}, 0.25F);
-    record_slerp(out, {0, {0, 1, 0}}, {0, {0, 0, -1}}, 0.75F);
+    record_slerp(out, {1, {0, 0, 0}}, {0, {1, 0, 0}}, vary.near(0.25F, 0.15F));
+    record_slerp(out, {1, {0, 0, 0}}, {0, {0, 0, -1}}, vary.near(0.25F, 0.15F));
+    record_slerp(out, {0, {0, 1, 0}}, {0, {0, 0, -1}}, vary.near(0.75F, 0.15F));
 }
 
 void record_random_turns(Recorder& out, Random& random)
@@ -78,16 +79,18 @@ void record_pose(Recorder& out, const std::vector<KeyFrame>& frames, float secon
 }
 
 // Frames for a hand: before, at, between and after them; one frame only; and cuts.
-void record_known_frames(Recorder& out)
+void record_known_frames(Variation& vary, Recorder& out)
 {
-    const std::vector<KeyFrame> three{
-        {1, {0, 0, 0}, {}}, {3, {4, 0, -2}, about({0, 1, 0}, pi / 2)}, {4, {4, 8, 0}, about({1, 0, 0}, pi / 2)}};
+    const std::vector<KeyFrame> three = varied(
+        vary,
+        {{1, {0, 0, 0}, {}}, {3, {4, 0, -2}, about({0, 1, 0}, pi / 2)}, {4, {4, 8, 0}, about({1, 0, 0}, pi / 2)}});
     for (const float seconds : {2.0F, 0.0F, 1.0F, 1.5F, 3.0F, 3.25F, 4.0F, 9.0F, 3.75F, -infinity, infinity})
         record_pose(out, three, seconds);
-    const std::vector<KeyFrame> one{{2, {1, 2, 3}, about({0, 0, 1}, 1)}};
+    const std::vector<KeyFrame> one = varied(vary, {{2, {1, 2, 3}, about({0, 0, 1}, 1)}});
     for (const float seconds : {1.0F, 2.0F, 3.0F}) record_pose(out, one, seconds);
-    for (const float seconds : {1.0F, 2.0F, 1.999F, 2.5F, 3.5F}) record_pose(out, known_cut(), seconds);
-    for (const float seconds : {0.0F, 1.0F, 2.0F, 3.0F, 4.0F}) record_pose(out, known_cuts_at_the_ends(), seconds);
+    for (const float seconds : {1.0F, 2.0F, 1.999F, 2.5F, 3.5F}) record_pose(out, varied(vary, known_cut()), seconds);
+    for (const float seconds : {0.0F, 1.0F, 2.0F, 3.0F, 4.0F})
+        record_pose(out, varied(vary, known_cuts_at_the_ends()), seconds);
 }
 
 void record_random_frames(Recorder& out, Random& random)
@@ -274,11 +277,11 @@ void record_skin(Recorder& out, Random& random)
 }
 
 const Driver driver = {
-    {"known turns", [](Case&, Recorder& out) { record_known_turns(out); }},
+    {"known turns", [](Case& c, Recorder& out) { record_known_turns(c.vary, out); }},
     {"random turns", [](Case& c, Recorder& out) { record_random_turns(out, c.random); }},
     {"longer ways", [](Case& c, Recorder& out) { record_longer_ways(out, c.random); }},
     {"near turns", [](Case& c, Recorder& out) { record_near_turns(out, c.random); }},
-    {"known frames", [](Case&, Recorder& out) { record_known_frames(out); }},
+    {"known frames", [](Case& c, Recorder& out) { record_known_frames(c.vary, out); }},
     {"random frames", [](Case& c, Recorder& out) { record_random_frames(out, c.random); }},
     {"refused", [](Case& c, Recorder& out) { record_refused(out, c.random); }},
     {"rolling", [](Case& c, Recorder& out) { record_rolling(out, c.random); }},
@@ -289,7 +292,7 @@ const Driver driver = {
     {"two balls", [](Case& c, Recorder& out) { record_two(out, c.random); }},
     {"skeleton", [](Case& c, Recorder& out) { record_skeletons(out, c.random); }},
     {"skin", [](Case& c, Recorder& out) { record_skin(out, c.random); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", film(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", film(c.vary, out)); }},
 };
 
 }

@@ -33,10 +33,10 @@ inline glm::mat4 placed(const glm::vec3& position, const UnitQuaternion& orienta
 }
 
 /// A box that tumbles from key frame to key frame, a ball that bounces while it rolls forwards, bent bars.
-inline Image film(Recorder& out)
+inline Image film(Variation& vary, Recorder& out)
 {
     const Stage stage(480, 320, {0.075F, 0.085F, 0.13F});
-    stage.look({0.2F, 3.1F, 9.4F}, {0, 1.32F, 0}, 34, 1.5F);
+    stage.look(vary.near(glm::vec3(0.2F, 3.1F, 9.4F), 1.2F), {0, 1.32F, 0}, 34, 1.5F);
     const gl::Mesh box = uploaded(shapes::box());
     const gl::Mesh ball = uploaded(shapes::sphere(48, 24));
     const Finish floor{

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <umbral/core/random.hpp>
 #include <umbral/interaction/keyframes.hpp>
+#include <umbral/record/variation.hpp>
 #include <vector>
 
 /// Questions of the keyframes unit, and canonical forms of its answers.
@@ -61,6 +62,19 @@ inline std::vector<KeyFrame> known_cuts_at_the_ends()
             {1, {2, 0, 0}, about({0, 0, 1}, 1)},
             {3, {6, 0, 0}, about({0, 0, 1}, 2)},
             {3, {7, 0, 0}, about({0, 0, 1}, 3)}};
+}
+
+/// The same key frames elsewhere and seen from another side, if inputs are to vary: times are the same, and so are the
+/// turns between the orientations.
+inline std::vector<KeyFrame> varied(Variation& vary, std::vector<KeyFrame> frames)
+{
+    if (!vary) return frames;
+    const UnitQuaternion side = about({1, 2, 3}, vary.near(0.0, 1.0));
+    for (KeyFrame& frame : frames) {
+        frame.position = vary.near(frame.position, 0.5F);
+        frame.orientation = product(side, frame.orientation);
+    }
+    return frames;
 }
 
 /// Key frames at random times, now and then two at one time: a cut. One list of three is as quick as microseconds, or

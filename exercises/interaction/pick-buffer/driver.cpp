@@ -29,10 +29,10 @@ void record_matrices(Recorder& out, Random& random)
     }
 }
 
-void record_matrices_by_hand(Recorder& out)
+void record_matrices_by_hand(Variation& vary, Recorder& out)
 {
     const auto record = [&](const glm::ivec2& pixel, float size, const glm::ivec2& picture) {
-        out.append("matrix", ask<pick_matrix>(out, pixel, size, picture));
+        out.append("matrix", ask<pick_matrix>(out, pixel, vary.scaled(size, 1.4F), picture));
     };
     record({0, 0}, 1, {1, 1});
     record({0, 0}, 1, {2, 2});
@@ -275,7 +275,7 @@ void record_limits(Recorder& out, Random& random)
 }
 
 const Driver driver = {
-    {"matrices by hand", [](Case&, Recorder& out) { record_matrices_by_hand(out); }},
+    {"matrices by hand", [](Case& c, Recorder& out) { record_matrices_by_hand(c.vary, out); }},
     {"matrices", [](Case& c, Recorder& out) { record_matrices(out, c.random); }},
     {"parsing", [](Case& c, Recorder& out) { record_parsing(out, c.random); }},
     {"damaged", [](Case& c, Recorder& out) { record_damaged(out, c.random); }},

@@ -93,9 +93,17 @@ void record_nearest(Recorder& out, Random& random)
     }
 }
 
-void record_by_hand(Recorder& out)
+/// The same squares with their ids' bytes in another order, if inputs are to vary.
+PickScene with_other_ids(Variation& vary, PickScene scene)
 {
-    const PickScene scene = squares_by_hand();
+    const std::uint32_t bits = vary.one_of(0U, std::array{8U, 16U});
+    for (auto& thing : scene.things) thing.id = (thing.id << bits | thing.id >> (24 - bits)) & 0xFFFFFFU;
+    return scene;
+}
+
+void record_by_hand(Variation& vary, Recorder& out)
+{
+    const PickScene scene = with_other_ids(vary, squares_by_hand());
     const glm::ivec2 picture(8, 4);
     const Made picker = ask_new<make_id_picker>(out, "picker");
     const EdgesInPicture edges({}, picture);
@@ -267,7 +275,7 @@ void record_picture(Recorder& out)
 const Driver driver = {
     {"colors", [](Case& c, Recorder& out) { record_colors(out, c.random); }},
     {"nearest", [](Case& c, Recorder& out) { record_nearest(out, c.random); }},
-    {"by hand", [](Case&, Recorder& out) { record_by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { record_by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(out, c.random); }},
     {"borders", [](Case& c, Recorder& out) { record_borders(out, c.random); }},
     {"any state", [](Case& c, Recorder& out) { record_any_state(out, c.random); }},

@@ -38,20 +38,30 @@ void record_borders(Recorder& out, Random& random)
 }
 
 // The course's view, and others that a hand can work out: pictures of few pixels, cameras along the axes.
-void record_by_hand(Recorder& out)
+void record_by_hand(Variation& vary, Recorder& out)
 {
+    // Turned by quarters of a turn, in which nothing is rounded, elsewhere, and with other planes.
+    const auto record_turned = [&](PickView view, const glm::ivec2& pixel) {
+        const ExactMap map = vary.exact_map(0);
+        for (glm::vec3* const axis : {&view.frame.x, &view.frame.y, &view.frame.z}) *axis = map.place(*axis);
+        view.frame.origin = vary.near(view.frame.origin, 0.5F);
+        const float away = vary.scaled(1.0F, 1.3F);
+        view.frustum.near_plane *= away;
+        view.frustum.far_plane *= away;
+        record_ray(out, view, pixel);
+    };
     const PickView course{world, {-4.0F / 3, 4.0F / 3, -1, 1, 1, 100}, {640, 480}};
     for (const glm::ivec2& pixel : {glm::ivec2(0, 0), {320, 240}, {639, 479}, {639, 0}, {100, 50}})
-        record_ray(out, course, pixel);
+        record_turned(course, pixel);
     const PickView small{world, {-2, 2, -2, 2, 2, 10}, {4, 2}};
-    for (const glm::ivec2& pixel : {glm::ivec2(0, 0), {1, 0}, {2, 0}, {3, 1}}) record_ray(out, small, pixel);
+    for (const glm::ivec2& pixel : {glm::ivec2(0, 0), {1, 0}, {2, 0}, {3, 1}}) record_turned(small, pixel);
     const PickView one{{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}, {5, 2, -1}}, {-1, 1, -1, 1, 0.5F, endless}, {1, 1}};
-    record_ray(out, one, {0, 0});
+    record_turned(one, {0, 0});
     const PickView nine{{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {0, 3, 0}}, {-3, 3, -3, 3, 2, endless}, {3, 3}};
-    for (const glm::ivec2& pixel : {glm::ivec2(1, 1), {0, 1}, {1, 2}, {2, 0}, {2, 1}}) record_ray(out, nine, pixel);
+    for (const glm::ivec2& pixel : {glm::ivec2(1, 1), {0, 1}, {1, 2}, {2, 0}, {2, 1}}) record_turned(nine, pixel);
     const PickView aside{{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, 8}}, {1, 5, 0, 2, 4, 12}, {2, 1}};
-    record_ray(out, aside, {0, 0});
-    record_ray(out, aside, {1, 0});
+    record_turned(aside, {0, 0});
+    record_turned(aside, {1, 0});
 }
 
 void record_random(Recorder& out, Random& random)
@@ -116,14 +126,14 @@ void record_telescopes(Recorder& out, Random& random)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { record_by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { record_by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(out, c.random); }},
     {"outside", [](Case& c, Recorder& out) { record_outside(out, c.random); }},
     {"telescopes", [](Case& c, Recorder& out) { record_telescopes(out, c.random); }},
     {"clicks", [](Case& c, Recorder& out) { record_clicks(out, random_clicks(c.random, 200)); }},
     {"borders", [](Case& c, Recorder& out) { record_borders(out, c.random); }},
     {"no window", [](Case& c, Recorder& out) { record_clicks(out, clicks_without_a_window(c.random, 48)); }},
-    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+    {"picture", [](Case& c, Recorder& out) { record_picture(c.vary, out); }},
 };
 
 }

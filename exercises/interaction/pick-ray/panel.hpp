@@ -3,6 +3,7 @@
 #include <kit/picture.hpp>
 #include <umbral/interaction/pick_ray.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 
 #include "balls.hpp"
 
@@ -17,11 +18,10 @@ inline projections::ViewFrame frame_looking(const glm::vec3& eye, const glm::vec
 }
 
 /// What the eye in the picture sees; what is near it is not seen.
-inline PickView view_of_the_eye(int columns, int rows)
+inline PickView view_of_the_eye(Variation& vary, int columns, int rows)
 {
-    return {frame_looking({0.1F, 1.15F, 5.4F}, {0.05F, 0.55F, -0.6F}),
-            {-0.92F, 0.92F, -0.66F, 0.72F, 2.4F, 30},
-            {columns, rows}};
+    const glm::vec3 eye = vary.near(glm::vec3(0.1F, 1.15F, 5.4F), 0.35F);
+    return {frame_looking(eye, {0.05F, 0.55F, -0.6F}), {-0.92F, 0.92F, -0.66F, 0.72F, 2.4F, 30}, {columns, rows}};
 }
 
 /// The nearest places of a ray and a segment: how far apart they are, and where on the ray.
@@ -50,7 +50,8 @@ public:
     static constexpr glm::ivec2 clicked{5, 7};
 
     /// Asks for the ray of each pixel.
-    explicit PanelPicture(Recorder& out) : view_(view_of_the_eye(columns, rows)), colors_(columns, rows)
+    explicit PanelPicture(Variation& vary, Recorder& out)
+        : view_(view_of_the_eye(vary, columns, rows)), colors_(columns, rows)
     {
         ray_ = ask<pick_ray>(out, view_, clicked);
         const Met met = first_met(ray_);
@@ -145,14 +146,14 @@ private:
     std::uint32_t picked_ = 0;
 };
 
-inline void record_picture(Recorder& out)
+inline void record_picture(Variation& vary, Recorder& out)
 {
-    const PickView view = view_of_the_eye(96, 72);
+    const PickView view = view_of_the_eye(vary, 96, 72);
     Grid<std::uint32_t> ids(view.picture.x, view.picture.y);
     for (int y = 0; y < ids.height; ++y)
         for (int x = 0; x < ids.width; ++x) ids.at(x, y) = first_met(ask<pick_ray>(out, view, glm::ivec2(x, y))).id;
     out.buffer("ids", ids);
-    out.image("picture", PanelPicture(out).picture(440, 240));
+    out.image("picture", PanelPicture(vary, out).picture(440, 240));
 }
 
 }

@@ -16,7 +16,10 @@ inline constexpr int heart_size = 256;
 inline constexpr double wall_depth = -1.4;
 inline const glm::vec3 heart_eye(-0.6F, 2.3F, 4.6F);
 
-inline glm::mat4 heart_view() { return glm::lookAt(heart_eye, glm::vec3(0, 0.45F, 0), glm::vec3(0, 1, 0)); }
+inline glm::mat4 heart_view(const glm::vec3& eye)
+{
+    return glm::lookAt(eye, glm::vec3(0, 0.45F, 0), glm::vec3(0, 1, 0));
+}
 inline glm::mat4 heart_projection() { return glm::perspective(glm::radians(40.0F), 1.0F, 0.1F, 100.0F); }
 
 /// The pixels of the heart, in order.
@@ -33,8 +36,9 @@ inline std::vector<glm::ivec2> heart_pixels()
     return pixels;
 }
 
-/// `point` says which point of a plane a pixel shows; beads without one are left out.
-inline Image draw_heart(const std::function<std::optional<glm::dvec3>(glm::ivec2, const SnapPlane&)>& point)
+/// Seen from `eye`; `point` says which point of a plane a pixel shows; beads without one are left out.
+inline Image draw_heart(const glm::vec3& eye,
+                        const std::function<std::optional<glm::dvec3>(glm::ivec2, const SnapPlane&)>& point)
 {
     const SnapPlane floor{{0, 1, 0}, 0.06};
     const SnapPlane wall{{0, 0, 1}, wall_depth + 0.06};
@@ -50,7 +54,7 @@ inline Image draw_heart(const std::function<std::optional<glm::dvec3>(glm::ivec2
         hue += 1.0F / 84;
         if (!place || !(glm::length(*place) < 50)) continue;
         // As large as it has to be, to look as large as the others.
-        const float radius = 0.0145F * static_cast<float>(glm::length(*place - glm::dvec3(heart_eye)));
+        const float radius = 0.0145F * static_cast<float>(glm::length(*place - glm::dvec3(eye)));
         const glm::vec3 color =
             srgb_decoded(glm::dvec3(rainbow(0.93F + 0.14F * std::sin(6.2832F * hue), 0.85F, 0.95F)));
         beads.push_back({ball,
@@ -63,7 +67,7 @@ inline Image draw_heart(const std::function<std::optional<glm::dvec3>(glm::ivec2
     for (int column = 0; column < 2; ++column) {
         stage.column(column, 2);
         if (column == 0)
-            stage.look(heart_view(), 40);
+            stage.look(heart_view(eye), 40);
         else
             stage.look({4.4F, 3.6F, 4.0F}, {0, 0.5F, -0.2F}, 42);
         stage.draw_on(ground, beads);

@@ -1,10 +1,10 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <umbral/core/random.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "anamorphosis.hpp"
+#include "snap_cameras.hpp"
 
 namespace umbral {
 namespace {
@@ -15,13 +15,6 @@ std::optional<float> as_row(std::optional<double> value)
 {
     return value ? std::optional(static_cast<float>(*value)) : std::nullopt;
 }
-
-int between(int low, int high, Random& random)
-{
-    return low + static_cast<int>(random.below(static_cast<std::uint32_t>(high - low + 1)));
-}
-
-double between(double low, double high, Random& random) { return low + (high - low) * random.uniform_double(); }
 
 void record_pixel(Recorder& out, glm::dvec2 cursor, glm::ivec2 window, glm::ivec2 framebuffer)
 {
@@ -65,13 +58,17 @@ void record_pixels(Recorder& out, Random& random)
 }
 
 /// The course's example, the corners of a small view, views that do not begin at 0, and mirrored ones.
-void record_linear(Recorder& out)
+void record_linear(Variation& vary, Recorder& out)
 {
-    const ViewLimits limits{-2, 2, -1.5, 1.5};
+    const auto other = [&](const ViewLimits& limits) {
+        return ViewLimits{vary.near(limits.left, 0.4), vary.near(limits.right, 0.4), vary.near(limits.bottom, 0.4),
+                          vary.near(limits.top, 0.4)};
+    };
+    const ViewLimits limits = other({-2, 2, -1.5, 1.5});
     out.append("world", ask<pixel_in_world>(out, glm::ivec2(100, 50), limits, glm::ivec2(800, 600)));
     for (const glm::ivec2& pixel : {glm::ivec2(0, 0), {3, 1}, {0, 1}, {3, 0}, {1, 0}, {-1, 2}})
         for (const ViewLimits& shown : {ViewLimits{0, 4, 0, 2}, {10, 12, -7, -6}, {1, -1, 3, -1}})
-            out.append("world", ask<pixel_in_world>(out, pixel, shown, glm::ivec2(4, 2)));
+            out.append("world", ask<pixel_in_world>(out, pixel, other(shown), glm::ivec2(4, 2)));
 }
 
 /// One in four is mirrored, in each direction on its own.
@@ -97,42 +94,6 @@ void record_random_linear(Recorder& out, Random& random)
     }
 }
 
-/// A camera, perspective or not, that looks from somewhere at something else.
-struct SnapCamera {
-    glm::mat4 view;
-    glm::mat4 projection;
-    glm::ivec2 size;
-};
-
-SnapCamera random_camera(Random& random)
-{
-    const glm::vec3 target = 4.0F * random.in_cube();
-    const glm::vec3 away = random.in_cube() + glm::vec3(0, 0, random.below(2) == 0 ? 2.5F : -2.5F);
-    const glm::ivec2 size(between(100, 900, random), between(100, 700, random));
-    const glm::vec3 up = random.in_cube() + glm::vec3(0, 2, 0);
-    const glm::mat4 view = glm::lookAt(target + 2.0F * away, target, up);
-    const float near = random.uniform(0.05F, 1);
-    const float half = random.uniform(1, 6);
-    const float shift = random.uniform(-1, 1);
-    const glm::mat4 orthographic = glm::ortho(shift - half, shift + half, -half, 0.7F * half, near, near + 60);
-    const glm::mat4 perspective = glm::frustum(near * (0.1F * shift - 0.4F), near * (0.1F * shift + 0.5F), -0.3F * near,
-                                               0.4F * near, near, 80.0F);
-    return {view, random.below(3) == 0 ? orthographic : perspective, size};
-}
-
-/// The same camera in a world so many times as large, a power of two: exactly the same picture.
-SnapCamera in_a_world_of(double size, SnapCamera camera)
-{
-    const auto factor = static_cast<float>(size);
-    camera.view[3] = glm::vec4(factor * glm::vec3(camera.view[3]), 1);
-    if (camera.projection[3][3] == 0) {
-        camera.projection[3][2] *= factor;
-    } else {
-        for (int i = 0; i < 3; ++i) camera.projection[i] /= factor;
-    }
-    return camera;
-}
-
 /// In a world that is so many times as large as the one that is recorded.
 void record_point(Recorder& out, const SnapCamera& camera, glm::ivec2 pixel, const SnapPlane& plane, double size = 1)
 {
@@ -145,8 +106,16 @@ void record_point(Recorder& out, const SnapCamera& camera, glm::ivec2 pixel, con
 
 /// By hand: cameras without rotation, the floor, walls, normals that are not unit; planes behind, along the ray, and
 /// through the observer.
-void record_planes(Recorder& out)
+void record_planes(Variation& vary, Recorder& out)
 {
+    // The world turned by quarters of a turn, in which nothing is rounded, the camera with it.
+    const auto record_turned = [&](SnapCamera camera, glm::ivec2 pixel, SnapPlane plane) {
+        const ExactMap map = vary.exact_map(0);
+        const glm::mat3 turn(map.place({1, 0, 0}), map.place({0, 1, 0}), map.place({0, 0, 1}));
+        camera.view *= glm::mat4(glm::transpose(turn));
+        plane.normal = glm::dmat3(turn) * plane.normal;
+        record_point(out, camera, pixel, plane);
+    };
     const glm::ivec2 size(4, 4);
     const glm::mat4 high = glm::translate(glm::mat4(1), {0, -2, 0});
     const SnapCamera wide{high, glm::frustum(-1.0F, 1.0F, -1.0F, 1.0F, 1.0F, 9.0F), size};
@@ -168,15 +137,15 @@ void record_planes(Recorder& out)
                                 {{1e12, 0, 0}, 2e12}};
     for (const SnapCamera& camera : {wide, flat})
         for (const SnapPlane& plane : planes)
-            for (const glm::ivec2& pixel : {glm::ivec2(0, 3), {3, 1}, {2, 2}}) record_point(out, camera, pixel, plane);
+            for (const glm::ivec2& pixel : {glm::ivec2(0, 3), {3, 1}, {2, 2}}) record_turned(camera, pixel, plane);
     // Planes that lean by less than a millionth away from the rays of these pixels, which are (1, -1, -4) / 4 and
     // (3, 1, -4) / 4 for the first camera and -z for the second one, and by more than what is parallel. They are met a
     // few steps ahead.
     for (const double lean : {0x1p-26, -0x1p-23}) {
-        record_point(out, wide, {2, 2}, {{1, 1, lean}, 2 - 8 * lean});
-        record_point(out, wide, {3, 1}, {{1, -3, lean}, -6 - 5 * lean});
-        record_point(out, flat, {2, 2}, {{1, 2, lean}, 4 - 6 * lean});
-        record_point(out, flat, {1, 0}, {{-3, 1, lean}, 6.5 - 3 * lean});
+        record_turned(wide, {2, 2}, {{1, 1, lean}, 2 - 8 * lean});
+        record_turned(wide, {3, 1}, {{1, -3, lean}, -6 - 5 * lean});
+        record_turned(flat, {2, 2}, {{1, 2, lean}, 4 - 6 * lean});
+        record_turned(flat, {1, 0}, {{-3, 1, lean}, 6.5 - 3 * lean});
     }
 }
 
@@ -245,7 +214,7 @@ void record_views(Recorder& out, Random& random)
 }
 
 /// All directions, both sides of the cut to the left, and the same point; far from the origin too.
-void record_angles(Recorder& out)
+void record_angles(Variation& vary, Recorder& out)
 {
     for (const glm::dvec2& reference : {glm::dvec2(0), {320, 240}, {-15.5, 1e5}})
         for (const glm::dvec2& way : {glm::dvec2(10, 0),
@@ -258,8 +227,12 @@ void record_angles(Recorder& out)
                                       {0, 5},
                                       {2, 2},
                                       {-512, 0.0078125},
-                                      {-512, -0.0078125}})
-            out.append("angle", as_row(ask<entered_angle>(out, reference, reference + way)));
+                                      {-512, -0.0078125}}) {
+            // Ways along the axes remain so.
+            const double wider = vary.scaled(1.0, 1.5F);
+            const glm::dvec2 other = way * glm::dvec2(wider, vary.scaled(1.0, 1.5F));
+            out.append("angle", as_row(ask<entered_angle>(out, reference, reference + other)));
+        }
 }
 
 void record_random_angles(Recorder& out, Random& random)
@@ -274,10 +247,11 @@ void record_random_angles(Recorder& out, Random& random)
     }
 }
 
-Image heart(Recorder& out)
+Image heart(Variation& vary, Recorder& out)
 {
-    return draw_heart([&](glm::ivec2 pixel, const SnapPlane& plane) {
-        return ask<point_on_plane>(out, pixel, glm::ivec2(heart_size), heart_view(), heart_projection(), plane);
+    const glm::vec3 eye = vary.near(heart_eye, 0.6F);
+    return draw_heart(eye, [&](glm::ivec2 pixel, const SnapPlane& plane) {
+        return ask<point_on_plane>(out, pixel, glm::ivec2(heart_size), heart_view(eye), heart_projection(), plane);
     });
 }
 
@@ -285,15 +259,15 @@ Image heart(Recorder& out)
 
 const Driver driver = {
     {"pixels", [](Case& c, Recorder& out) { record_pixels(out, c.random); }},
-    {"linear", [](Case&, Recorder& out) { record_linear(out); }},
+    {"linear", [](Case& c, Recorder& out) { record_linear(c.vary, out); }},
     {"random linear", [](Case& c, Recorder& out) { record_random_linear(out, c.random); }},
-    {"planes", [](Case&, Recorder& out) { record_planes(out); }},
+    {"planes", [](Case& c, Recorder& out) { record_planes(c.vary, out); }},
     {"random planes", [](Case& c, Recorder& out) { record_random_planes(out, c.random); }},
     {"moves", [](Case& c, Recorder& out) { record_moves(out, c.random); }},
     {"views", [](Case& c, Recorder& out) { record_views(out, c.random); }},
-    {"angles", [](Case&, Recorder& out) { record_angles(out); }},
+    {"angles", [](Case& c, Recorder& out) { record_angles(c.vary, out); }},
     {"random angles", [](Case& c, Recorder& out) { record_random_angles(out, c.random); }},
-    {"picture", [](Case&, Recorder& out) { out.image("heart", heart(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("heart", heart(c.vary, out)); }},
 };
 
 }

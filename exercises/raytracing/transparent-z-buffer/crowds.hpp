@@ -6,6 +6,7 @@
 #include <umbral/core/random.hpp>
 #include <umbral/raytracing/transparent_z_buffer.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <vector>
 
 /// Fragments for raytracing/transparent-z-buffer.
@@ -113,13 +114,17 @@ inline GlassTask deep_task(Random& random)
 }
 
 /// Three sheets before a background, in one pixel each, in all six orders: x is behind y, and y behind z.
-inline GlassTask three_sheets()
+inline GlassTask three_sheets(Variation& vary)
 {
-    const std::vector<GlassFragment> sheets = {
+    std::vector<GlassFragment> sheets = {
         {{0, 0}, 0.75F, {0, 0, 0.25F}, 0.5F, {1, 0, 0.5F}},
         {{0, 0}, 0.5F, {0.125F, 0, 0}, 1, {0.5F, 0.5F, 1}},
         {{0, 0}, 0.25F, {0, 0.5F, 0}, 0.75F, {1, 0.5F, 0.25F}},
     };
+    for (GlassFragment& sheet : sheets) {
+        sheet.light *= vary.one_of(1.0F, std::array{0.5F, 0.75F, 1.25F, 1.5F});
+        sheet.m_t *= vary.one_of(1.0F, std::array{0.5F, 0.625F, 0.75F, 0.875F});
+    }
     GlassTask task{{Grid<glm::vec3>(8, 1, glm::vec3(1)), Grid<float>(8, 1, 1.0F)}};
     std::vector<std::size_t> order = {0, 1, 2};
     int pixel = 0;

@@ -40,7 +40,8 @@ void record_opaque(Case& what, Recorder& out)
 
 void record_filtered(Case& what, Recorder& out)
 {
-    record_drawn<filter_glass>(out, three_sheets().frame, three_sheets().glass);
+    const GlassTask sheets = three_sheets(what.vary);
+    record_drawn<filter_glass>(out, sheets.frame, sheets.glass);
     for (int i = 0; i < 40; ++i) {
         const GlassTask task = random_task(what.random);
         record_drawn<filter_glass>(out, task.frame, task.glass);
@@ -77,13 +78,16 @@ void record_in_turn(Case& what, Recorder& out)
 }
 
 const Driver driver = {
-    {"picture", [](Case&, Recorder& out) { out.image("glasses", glass_image(out, 400, 300, true)); }},
-    {"window", [](Case&, Recorder& out) { out.image("panes", glass_image(out, 160, 120, false)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("glasses", glass_image(c.vary, out, 400, 300, true)); }},
+    {"window", [](Case& c, Recorder& out) { out.image("panes", glass_image(c.vary, out, 160, 120, false)); }},
     {"empty", record_empty},
     {"opaque", record_opaque},
     {"filtered", record_filtered},
     {"sheets",
-     [](Case&, Recorder& out) { record_drawn<blend_glass>(out, three_sheets().frame, three_sheets().glass); }},
+     [](Case& c, Recorder& out) {
+         const GlassTask task = three_sheets(c.vary);
+         record_drawn<blend_glass>(out, task.frame, task.glass);
+     }},
     {"blended", record_blended},
     {"deep",
      [](Case& c, Recorder& out) {

@@ -123,9 +123,9 @@ inline GlassFrame behind_the_glass(int width, int height, const Camera& camera)
 }
 
 /// Seen at twice its size and halved. Balls by the second algorithm, panes by the first, as `with_balls` says.
-inline Image glass_image(Recorder& out, int width, int height, bool with_balls)
+inline Image glass_image(Variation& vary, Recorder& out, int width, int height, bool with_balls)
 {
-    const Camera camera{{0.2F, 1.75F, 6.4F}, {0.1F, 1.35F, 0}, 0.36F};
+    const Camera camera = varied(vary, {{0.2F, 1.75F, 6.4F}, {0.1F, 1.35F, 0}, 0.36F});
     const GlassPicture picture = glass_picture(2 * width, 2 * height, camera);
     GlassFrame frame = behind_the_glass(2 * width, 2 * height, camera);
     ask<draw_opaque>(out, frame, picture.opaque);
