@@ -21,6 +21,17 @@ inline glm::vec3 by_quarters(Variation& vary, glm::vec3 vector)
     return vector;
 }
 
+/// The numbers from 0 on, in another order if inputs are to vary: what is asked must not follow from its place.
+inline std::vector<int> numbers(Variation& vary, int count)
+{
+    std::vector<int> order;
+    for (int i = 0; i < count; ++i) {
+        const auto last = static_cast<std::uint32_t>(i);
+        order.insert(order.begin() + (vary ? vary.random()->below(last + 1) : last), i);
+    }
+    return order;
+}
+
 /// A turn about a uniform axis of length 0.5 to 2, by less than half a turn to either side.
 inline AxisAngle random_turn(Random& random)
 {

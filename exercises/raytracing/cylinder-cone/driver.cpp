@@ -138,11 +138,11 @@ std::vector<Ray> from_far_away(Quadric quadric, Random& random)
     return rays;
 }
 
-void record_picture(Recorder& out)
+void record_picture(Variation& vary, Recorder& out)
 {
     constexpr int width = 288;
     constexpr int height = 216;
-    const Camera camera{{0.9F, 1.25F, 8.6F}, {0, 1.5F, 0}, 0.35F};
+    const Camera camera = varied(vary, {{0.9F, 1.25F, 8.6F}, {0, 1.5F, 0}, 0.35F});
     const std::vector<Piece> pieces = castle();
     const auto cylinder = [&](const Ray& ray) { return ask<intersect_unit_cylinder>(out, ray); };
     const auto cone = [&](const Ray& ray) { return ask<intersect_unit_cone>(out, ray); };
@@ -185,7 +185,7 @@ const Driver driver = {
      [](Case& c, Recorder& out) {
          record_both(c.random, out, [](Quadric q, Random& random) { return nearly_parallel_pairs(q, random, 150); });
      }},
-    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+    {"picture", [](Case& c, Recorder& out) { record_picture(c.vary, out); }},
 };
 
 }

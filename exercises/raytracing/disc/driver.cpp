@@ -15,12 +15,14 @@ void record(Recorder& out, const std::vector<DiscShot>& shots)
 }
 
 // Answers that a student can check by hand, the course's first; each has a twin that passes beside the disc.
-std::vector<DiscShot> by_hand()
+std::vector<DiscShot> by_hand(Variation& vary)
 {
     std::vector<DiscShot> shots;
     const auto add = [&](glm::vec3 origin, glm::vec3 direction, Disc disc, glm::vec3 aside) {
-        shots.push_back({Ray{origin, direction}, disc});
-        shots.push_back({Ray{origin + aside, direction}, disc});
+        const float size = other_size(vary);
+        const Disc other{size * disc.centre, disc.normal, size * disc.radius};
+        shots.push_back({sized(Ray{origin, direction}, size), other});
+        shots.push_back({sized(Ray{origin + aside, direction}, size), other});
     };
     const Disc unit{{0, 0, 0}, {0, 0, 1}, 1};
     add({0.5F, 0, 3}, {0, 0, -1}, unit, {1, 0, 0});
@@ -35,7 +37,7 @@ std::vector<DiscShot> by_hand()
     add({0, 5, 0}, {0, -1, 0}, {{0, 1, 1}, {0, 1, 2}, 4}, {0, 0, -4});
     add({3, 0, 4}, {0, 0, -1}, {{0, 0, 0}, {0, 0, 1}, 3.25F}, {0.5F, 0, 0});
     add({0, 3, 2}, {0, 0, -2}, {{0, 0, -2}, {0, 0, 1}, 4}, {3, 0, 0});
-    return shots;
+    return in_pairs(vary, std::move(shots));
 }
 
 // Rays along an axis onto discs across it, with small integers times a power of two: all that decides is exact.
@@ -216,11 +218,11 @@ void record_remote(Random& random, Recorder& out)
     for (const float away : {1e4F, 1e5F, 1e6F}) record(out, remote_pairs(random, away, 100));
 }
 
-void record_picture(Recorder& out)
+void record_picture(Variation& vary, Recorder& out)
 {
     constexpr int width = 288;
     constexpr int height = 224;
-    const Camera camera{{0, 2.3F, 6.4F}, {0, 0.8F, 0}, 0.285F};
+    const Camera camera = varied(vary, {{0, 2.3F, 6.4F}, {0, 0.8F, 0}, 0.285F});
     const std::vector<Disc> discs = sequin_ball();
     const auto asked = [&](const Ray& ray, const Disc& disc) { return ask<intersect_disc>(out, ray, disc); };
     Grid<std::uint32_t> ids(width, height);
@@ -234,7 +236,7 @@ void record_picture(Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { record(out, by_hand()); }},
+    {"by hand", [](Case& c, Recorder& out) { record(out, by_hand(c.vary)); }},
     {"random", [](Case& c, Recorder& out) { record(out, random_pairs(c.random, 1000)); }},
     {"behind and before", [](Case& c, Recorder& out) { record(out, behind_and_before(c.random)); }},
     {"rim", [](Case& c, Recorder& out) { record(out, at_the_rim(c.random)); }},
@@ -245,7 +247,7 @@ const Driver driver = {
     {"scales", [](Case& c, Recorder& out) { record(out, scales(c.random)); }},
     {"far away", [](Case& c, Recorder& out) { record_remote(c.random, out); }},
     {"grazing", [](Case& c, Recorder& out) { record(out, grazing_pairs(c.random, 300)); }},
-    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+    {"picture", [](Case& c, Recorder& out) { record_picture(c.vary, out); }},
 };
 
 }

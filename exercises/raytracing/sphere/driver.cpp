@@ -15,12 +15,14 @@ void record(Recorder& out, const std::vector<BallShot>& shots)
 }
 
 // Rays along an axis, with answers that a student can check by hand; each has a twin that passes beside the ball.
-std::vector<BallShot> head_on()
+std::vector<BallShot> head_on(Variation& vary)
 {
     std::vector<BallShot> shots;
     const auto add = [&](glm::vec3 origin, glm::vec3 direction, Sphere ball, glm::vec3 aside) {
-        shots.push_back({Ray{origin, direction}, ball});
-        shots.push_back({Ray{origin + aside, direction}, ball});
+        const float size = other_size(vary);
+        const Sphere other{size * ball.centre, size * ball.radius};
+        shots.push_back({sized(Ray{origin, direction}, size), other});
+        shots.push_back({sized(Ray{origin + aside, direction}, size), other});
     };
     add({0, 0, 5}, {0, 0, -1}, {{0, 0, 0}, 1}, {2, 0, 0});
     add({1, 2, 10}, {0, 0, -1}, {{1, 2, 3}, 2}, {0, 3, 0});
@@ -29,7 +31,7 @@ std::vector<BallShot> head_on()
     add({0, 0, -4}, {0, 0, 1}, {{0, 0, 4}, 2}, {2, 2, 0});
     add({3, 1, 8}, {0, 0, -1}, {{0, 1, 0}, 5}, {4, 0, 0});
     add({8, -3, 4}, {-1, 0, 0}, {{0, 0, 0}, 13}, {8, -12, 8});
-    return shots;
+    return in_pairs(vary, std::move(shots));
 }
 
 // The root behind the origin is no answer: the second one is. Misses begin inside too: the interval ends before the
@@ -229,14 +231,15 @@ std::vector<Sphere> three_spheres()
     return {{{-0.55F, 0.05F, -4.2F}, 0.75F}, {{0.5F, -0.2F, -3.4F}, 0.5F}, {{0.3F, 0.75F, -5}, 0.8F}};
 }
 
-void record_picture(Recorder& out)
+void record_picture(Variation& vary, Recorder& out)
 {
     constexpr int size = 256;
+    const glm::vec3 eye = vary.near(glm::vec3(0, 0.1F, 0), 0.25F);
     Grid<glm::vec3> normals(size, size);
     Grid<std::uint32_t> ids(size, size);
     for (int y = 0; y < size; ++y) {
         for (int x = 0; x < size; ++x) {
-            const BallHit hit = nearest(out, pixel_ray({0, 0.1F, 0}, 0.36F, size, x, y), three_spheres());
+            const BallHit hit = nearest(out, pixel_ray(eye, 0.36F, size, x, y), three_spheres());
             ids.at(x, y) = hit.id;
             normals.at(x, y) = hit.normal;
         }
@@ -248,7 +251,7 @@ void record_picture(Recorder& out)
 }
 
 const Driver driver = {
-    {"head-on", [](Case&, Recorder& out) { record(out, head_on()); }},
+    {"head-on", [](Case& c, Recorder& out) { record(out, head_on(c.vary)); }},
     {"random", [](Case& c, Recorder& out) { record(out, random_pairs(c.random, 2000)); }},
     {"inside", [](Case& c, Recorder& out) { record(out, from_inside(c.random)); }},
     {"behind and before", [](Case& c, Recorder& out) { record(out, behind_and_before(c.random)); }},
@@ -258,7 +261,7 @@ const Driver driver = {
     {"no ray", [](Case& c, Recorder& out) { record(out, no_rays(c.random)); }},
     {"long direction", [](Case& c, Recorder& out) { record(out, long_direction(c.random)); }},
     {"far away", [](Case& c, Recorder& out) { record_silhouette(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+    {"picture", [](Case& c, Recorder& out) { record_picture(c.vary, out); }},
 };
 
 }

@@ -119,10 +119,10 @@ void record_orientation(Random& random, Recorder& out)
 
 // All five, of all sizes: a volume of 1e-14 is not 0, and squares of lengths may be no floats. Oblique ones of which
 // one pair of vectors leans, and orthogonal ones of which one vector is not unit, beside those of which all do and are.
-void record_kinds(Random& random, Recorder& out)
+void record_kinds(Variation& vary, Random& random, Recorder& out)
 {
     const glm::vec3 origin(1, 2, 3);
-    for (int i = 0; i < 120; ++i) {
+    for (const int i : numbers(vary, 120)) {
         const int kind = i % 5;
         const int variant = i / 5;
         Frame frame = cartesian(origin, random);
@@ -190,9 +190,9 @@ void make_nearly_parallel(Frame& frame, int j, int k)
 
 // z = x + y, exactly, so that the frame is degenerate; and the same a unit in the last place above or below, which
 // changes the volume by 2^-69 where x and y are nearly parallel. As small and as large as floats are, and in between.
-void record_coplanar(Random& random, Recorder& out)
+void record_coplanar(Variation& vary, Random& random, Recorder& out)
 {
-    for (int i = 0; i < 120; ++i) {
+    for (const int i : numbers(vary, 120)) {
         Frame frame = world;
         for (int k = 0; k < 3; ++k) {
             frame.x[k] = full_number(random);
@@ -258,9 +258,9 @@ const Driver driver = {
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"drifted", [](Case& c, Recorder& out) { record_drifted(c.random, out); }},
     {"orientation", [](Case& c, Recorder& out) { record_orientation(c.random, out); }},
-    {"kinds", [](Case& c, Recorder& out) { record_kinds(c.random, out); }},
+    {"kinds", [](Case& c, Recorder& out) { record_kinds(c.vary, c.random, out); }},
     {"thresholds", [](Case& c, Recorder& out) { record_thresholds(c.random, out); }},
-    {"nearly in a plane", [](Case& c, Recorder& out) { record_coplanar(c.random, out); }},
+    {"nearly in a plane", [](Case& c, Recorder& out) { record_coplanar(c.vary, c.random, out); }},
     {"ill-conditioned", [](Case& c, Recorder& out) { record_ill_conditioned(c.random, out); }},
     {"far away", [](Case& c, Recorder& out) { record_far(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("whirl", draw_whirl(c.vary, out)); }},

@@ -154,7 +154,7 @@ void record_complex(Recorder& out, Random& random)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { record_session(out, known_session()); }},
+    {"by hand", [](Case& c, Recorder& out) { record_session(out, known_session(c.vary)); }},
     {"random",
      [](Case& c, Recorder& out) {
          for (int i = 0; i < 20; ++i) record_session(out, random_session(c.random, 60));

@@ -4,8 +4,11 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/transforms/matrix_stack.hpp>
 #include <vector>
+
+#include "../support.hpp"
 
 /// What is done to a matrix stack.
 namespace umbral::transforms {
@@ -82,27 +85,27 @@ inline glm::mat4 random_map(Random& random)
 }
 
 /// With the numbers of the course's example: M = V · Tra[5,6,7] · Rot[90°,x], copies on the stack, another frame.
-inline std::vector<Step> known_session()
+inline std::vector<Step> known_session(Variation& vary)
 {
     const glm::mat4 one(1);
-    const glm::mat4 away = glm::translate(one, {0, 0, -10});
+    const glm::mat4 away = glm::translate(one, by_quarters(vary, {0, 0, -10}));
     return {push(),
-            compose(glm::translate(one, {1, 2, 3})),
+            compose(glm::translate(one, by_quarters(vary, {1, 2, 3}))),
             pop(),
             set_view(away),
-            compose(glm::translate(one, {5, 6, 7})),
+            compose(glm::translate(one, by_quarters(vary, {5, 6, 7}))),
             compose(quarter_turn(0)),
             push(),
-            compose(glm::scale(one, {2, 1, 1})),
+            compose(glm::scale(one, {by_quarters(vary, 2), 1, 1})),
             push(),
-            compose(glm::translate(one, {1, 1, 1})),
+            compose(glm::translate(one, by_quarters(vary, {1, 1, 1}))),
             pop(),
             compose(glm::scale(one, {1, 1, -1})),
             pop(),
             compose(quarter_turn(1)),
             push(),
             push(),
-            set_view(glm::scale(one, {1, 4, 1})),
+            set_view(glm::scale(one, {1, by_quarters(vary, 4), 1})),
             compose(quarter_turn(2)),
             push(),
             pop()};

@@ -28,6 +28,10 @@ void record_known(Variation& vary, Recorder& out)
 {
     const auto q = [&](float number) { return by_quarters(vary, number); };
     SceneGraph graph = facade();
+    const std::uint32_t names = vary ? vary.random()->below(1000) : 0;
+    for (std::vector<Entry>& entries : graph.nodes)
+        for (Entry& entry : entries)
+            if (entry.kind == Entry::Kind::object) entry.index += names;
     for (glm::mat4& matrix : graph.transformations) matrix[3] += glm::vec4(vary.near(glm::vec3(0), 0.4F), 0);
     record_instances(out, ask<expand>(out, graph, plenty));
     graph.root = 2;
@@ -196,7 +200,12 @@ const Driver driver = {
     {"many ways", [](Case&, Recorder& out) { record_many_ways(out); }},
     {"conversion", [](Case& c, Recorder& out) { record_conversion(out, known_arc_graphs(c.random)); }},
     {"any conversion", [](Case& c, Recorder& out) { record_conversion(out, random_arc_graphs(c.random)); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_street(ask<expand>(out, street(), plenty))); }},
+    {"picture",
+     [](Case& c, Recorder& out) {
+         SceneGraph graph = street();
+         for (glm::mat4& matrix : graph.transformations) matrix[3] += glm::vec4(c.vary.near(glm::vec2(0), 0.2F), 0, 0);
+         out.image("colours", draw_street(ask<expand>(out, graph, plenty)));
+     }},
 };
 
 }
