@@ -98,11 +98,11 @@ void record_contact(Random& random, Recorder& out)
     record(out, contact_pairs(random, 1e3, 1e6, 30));
 }
 
-void record_picture(Recorder& out)
+void record_picture(Variation& vary, Recorder& out)
 {
     constexpr int width = 288;
     constexpr int height = 192;
-    const Camera camera{{0.6F, 5.4F, 7.2F}, {0, 0.72F, 0.1F}, 0.36F};
+    const Camera camera = varied(vary, {{0.6F, 5.4F, 7.2F}, {0, 0.72F, 0.1F}, 0.36F});
     const ShadowCasters casters = spiral_of_balls();
     out.image("colours", ray_traced(width, height, camera, [&](const Ray& ray) { return lamp_light(ray, casters); }));
 }
@@ -110,13 +110,13 @@ void record_picture(Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { record(out, by_hand()); }},
+    {"by hand", [](Case& c, Recorder& out) { record(out, in_pairs(c.vary, by_hand())); }},
     {"random", [](Case& c, Recorder& out) { record(out, light_pairs(c.random, 1, 4, 300)); }},
     {"turned away", [](Case& c, Recorder& out) { record(out, turned_away(c.random)); }},
     {"grazing", [](Case& c, Recorder& out) { record(out, grazing(c.random)); }},
     {"scales", [](Case& c, Recorder& out) { record_scales(c.random, out); }},
     {"contact", [](Case& c, Recorder& out) { record_contact(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+    {"picture", [](Case& c, Recorder& out) { record_picture(c.vary, out); }},
 };
 
 }
