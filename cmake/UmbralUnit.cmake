@@ -35,7 +35,9 @@ list(TRANSFORM UMBRAL_PARTIAL_UNITS REPLACE "/exercise.json$" "")
 
 # The flags of students' files, in one place: the precompiled header works only with exactly these. -g1 names functions
 # and lines; what a debugger wants beyond (-g2, in grader/cli/debug) takes a third of the time of compiling.
-set(UMBRAL_STUDENT_FLAGS -std=c++20 -g1 -O1 -fPIC -fno-gnu-unique -ffp-contract=off -D_GLIBCXX_ASSERTIONS)
+# Where TBB is installed, <execution> would ask for its headers, which students' files are not shown, and for threads.
+set(UMBRAL_STUDENT_FLAGS -std=c++20 -g1 -O1 -fPIC -fno-gnu-unique -ffp-contract=off -D_GLIBCXX_ASSERTIONS
+  -D_GLIBCXX_USE_TBB_PAR_BACKEND=0)
 # What must not be right by chance, where the compiler has it:
 # - A variable that was never given a value holds -1.7e38, or the number of no element; grader/build/with_zeros builds
 #   failing work with zeros instead, and different answers tell of such a variable. g++ leaves out what a function

@@ -168,6 +168,25 @@ TEST(Secrets, cannot_be_asked_for)
         "compile_error");
 }
 
+// What a unit teaches is not to be had from whatever is installed here and not elsewhere. The tests need GoogleTest.
+TEST(Headers, of_other_libraries_are_not_there)
+{
+    ASSERT_TRUE(std::filesystem::exists("/usr/include/gtest/gtest.h"));
+    const Workbench bench;
+    for (const char* header : {"gtest/gtest.h", "nlohmann/json.hpp"}) {
+        const std::string included = std::string("#include <") + header + ">\n";
+        const Built built = bench.build_sphere(included + sphere_with("", ""));
+        EXPECT_EQ(to_string(built.verdict), "compile_error") << header;
+        EXPECT_NE(built.message.find("No such file"), std::string::npos) << built.message;
+    }
+    // All of the standard library is, and what the course is about.
+    const Built built = bench.build_sphere(
+        "#include <bits/stdc++.h>\n#include <execution>\n#include <GLFW/glfw3.h>\n"
+        "#include <glm/gtx/intersect.hpp>\n#include <errno.h>\n" +
+        sphere_with("", ""));
+    EXPECT_EQ(to_string(built.verdict), "ok") << built.message;
+}
+
 TEST(Secrets, a_reference_installed_below_usr_is_out_of_reach)
 {
     const std::filesystem::path folder = "/usr/lib/umbral-test-of-secrets";
