@@ -85,14 +85,4 @@ inline input::EventScript behind_other_keys(Variation& vary, const input::EventS
     return all;
 }
 
-/// The list in another order, for what is asked in turn. As written unless inputs are to vary.
-template <class T>
-[[nodiscard]] std::vector<T> in_other_order(Variation& vary, std::vector<T> list)
-{
-    if (Random* const random = vary.random())
-        for (std::size_t i = list.size(); i > 1; --i)
-            std::swap(list[i - 1], list[random->below(static_cast<std::uint32_t>(i))]);
-    return list;
-}
-
 }

@@ -1,3 +1,4 @@
+#include <kit/varied.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -36,7 +37,7 @@ void record_written(Case& what, Recorder& out, const NamedLoop& loop, std::vecto
     for (LoopSession& session : sessions)
         session.script =
             behind_other_keys(what.vary, varied(what.vary, session.script, {.times = true}), {GLFW_KEY_R, GLFW_KEY_B});
-    record(out, loop, in_other_order(what.vary, std::move(sessions)), counted);
+    record(out, loop, in_random_order(what.vary, std::move(sessions)), counted);
 }
 
 void record_random(Recorder& out, const NamedLoop& loop, Random& random)
