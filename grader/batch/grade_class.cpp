@@ -170,7 +170,8 @@ private:
         }
         now_.submissions = submissions_.size();
         for (std::size_t i = 0; i < submissions_.size(); ++i) {
-            if (options_.fresh) forget(out_, submissions_[i].id);
+            if (options_.fresh || holds_anothers_work(plan_, submissions_[i], class_.submissions))
+                forget(out_, submissions_[i].id);
             const Graded seen = look_at(plan_, submissions_[i]);
             done.units_kept += exercises_.size() - seen.missing;
             now_.units_to_grade += seen.missing;

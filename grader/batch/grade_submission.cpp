@@ -103,6 +103,7 @@ Graded grade_submission(Crew& crew, const SubmissionPlan& plan, const Submission
     if (mark.grading != plan.plan.grading) forget_units(folder);
     mark.grading = plan.plan.grading;
     mark.shown = submission.shown == submission.id ? "" : submission.shown;
+    mark.source = source_of(submission);
     mark.reports.clear();
     set_mark(folder, mark);
     tidy_temporaries(folder);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "model/caps.hpp"
 #include "model/digest.hpp"
 #include "store/report_folder.hpp"
 
@@ -25,6 +26,20 @@ std::optional<KeptUnit> shown_before(const fs::path& folder, const std::string& 
     return fault ? fault : kept_unit(unit_file(folder, unit));
 }
 
+}
+
+std::string source_of(const SubmissionFolder& submission) { return one_line(submission.folder.filename().string()); }
+
+bool holds_anothers_work(const SubmissionPlan& plan, const SubmissionFolder& submission,
+                         const std::vector<SubmissionFolder>& all)
+{
+    try {
+        const std::optional<Mark> mark = read_mark(plan.out.folder_of(submission.id));
+        return mark && !mark->source.empty() && mark->source != source_of(submission) &&
+               std::ranges::find(all, mark->source, source_of) != all.end();
+    } catch (const std::exception&) {  // grading it will meet the same, and tell it
+        return false;
+    }
 }
 
 SubmittedFiles read_files(const SubmissionPlan& plan, const SubmissionFolder& submission)

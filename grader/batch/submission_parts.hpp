@@ -39,6 +39,14 @@ struct Part {
     UnitSections sections;
 };
 
+/// The name of a submission's folder or archive, printable: what a mark calls its source.
+[[nodiscard]] std::string source_of(const SubmissionFolder& submission);
+
+/// Is what lies in `out` under a submission's id the work of another one in `all`? So it is where a roster has given
+/// the id to another folder since. Never throws.
+[[nodiscard]] bool holds_anothers_work(const SubmissionPlan& plan, const SubmissionFolder& submission,
+                                       const std::vector<SubmissionFolder>& all);
+
 /// What lies in `out` of a submission, and how much of it still holds. Reads only, and never throws: what cannot be
 /// read is missing.
 [[nodiscard]] Graded look_at(const SubmissionPlan& plan, const SubmissionFolder& submission);

@@ -25,15 +25,16 @@ constexpr std::size_t longest = 4096;
 
 std::string to_text(const Mark& mark)
 {
-    const nlohmann::json json{{"format", mark_format},
-                              {"version", 1},
-                              {"about", "Umbral made this folder, and may replace or delete what lies in it."},
-                              {"course", printable(mark.grading.course, longest)},
-                              {"attempt", mark.grading.attempt},
-                              {"secret", mark.grading.secret},
-                              {"submission", mark.submission},
-                              {"shown", printable(mark.shown, longest)},
-                              {"reports", mark.reports}};
+    nlohmann::json json{{"format", mark_format},
+                        {"version", 1},
+                        {"about", "Umbral made this folder, and may replace or delete what lies in it."},
+                        {"course", printable(mark.grading.course, longest)},
+                        {"attempt", mark.grading.attempt},
+                        {"secret", mark.grading.secret},
+                        {"submission", mark.submission},
+                        {"shown", printable(mark.shown, longest)},
+                        {"reports", mark.reports}};
+    if (!mark.source.empty()) json["source"] = printable(mark.source, longest);
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -49,7 +50,7 @@ std::optional<Mark> read_mark(const fs::path& folder)
             field.member("format").refuse(fmt::format("\"{}\"", mark_format));
         (void)field.member("version").integer(1, 1);
         field.allow_only(
-            {"format", "version", "about", "course", "attempt", "secret", "submission", "shown", "reports"});
+            {"format", "version", "about", "course", "attempt", "secret", "submission", "shown", "source", "reports"});
         Mark mark;
         mark.grading.course = field.member("course").any_text(longest);
         mark.grading.attempt =
@@ -57,6 +58,7 @@ std::optional<Mark> read_mark(const fs::path& folder)
         mark.grading.secret = field.member("secret").any_text(longest);
         mark.submission = field.member("submission").any_text(longest);
         mark.shown = field.member("shown").any_text(longest);
+        if (const Field source = field.member("source"); source.given()) mark.source = source.any_text(longest);
         mark.reports = field.member("reports").any_text(longest);
         return mark;
     } catch (const std::exception& error) {

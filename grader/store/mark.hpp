@@ -16,6 +16,7 @@ struct Mark {
     Grading grading;
     std::string submission{};  ///< the id of the submission whose reports lie here; empty for the folder of a class
     std::string shown{};       ///< how it was called, if otherwise
+    std::string source{};      ///< the name of the folder or archive that was graded, printable; empty: nobody knows
     std::string reports{};     ///< digest of what the reports were made from; empty: they still have to be written
 };
 

@@ -202,6 +202,20 @@ TEST_F(Resume, units_that_are_not_asked_for_stay_in_the_report)
     EXPECT_NE(read(folder / "out/ana/report.html").find("id=\"u2\""), std::string::npos);
 }
 
+// A roster that swaps two ids, or takes one from a folder of that name: no unit's points go along.
+TEST_F(Resume, of_an_id_that_another_folder_got_nothing_is_kept)
+{
+    ASSERT_EQ(grade("out").status, 0);
+    folder.write("roster.csv", "folder,id\nana,bo\nbo,ana\n");
+    std::string other_unit = arguments("out", "--roster " + (folder / "roster.csv").string());
+    const std::string before = "--unit sphere";
+    other_unit.replace(other_unit.find(before), before.size(), "--unit vectors");
+    ASSERT_EQ(umbral(other_unit, environment()).status, 0);
+    const json all = class_json(folder / "out");
+    for (const char* const id : {"ana", "bo"}) EXPECT_EQ(submission(all, id).at("units").size(), 1U) << id;
+    EXPECT_EQ(submission(all, "cy").at("units").size(), 2U) << "whose folder is the same";
+}
+
 TEST_F(Resume, reports_are_never_written_among_the_submissions)
 {
     fs::create_directory_symlink(folder / "class", folder / "link");
