@@ -4,6 +4,7 @@
 #include <span>
 #include <umbral/lighting/fixed_pipeline.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 
 #include "../linear_frame.hpp"
 #include "state.hpp"

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <umbral/core/random.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 
 #include "artwork.hpp"
 #include "earlier.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kit/magnitude.hpp>
+#include <umbral/record/variation.hpp>
 
 #include "stage.hpp"
 
