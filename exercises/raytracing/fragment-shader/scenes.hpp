@@ -102,7 +102,7 @@ inline glm::vec3 varied_color(Variation& vary, glm::vec3 color)
 /// Seen from another side, and in other light, if inputs are to vary: the eye is as high and as far away.
 inline RayLook varied(Variation& vary, RayLook look)
 {
-    look.eye = look.target + vary.turn({0, 1, 0}, 0.5F) * (look.eye - look.target);
+    if (vary) look.eye = look.target + vary.turn({0, 1, 0}, 0.5F) * (look.eye - look.target);
     look.half_height = vary.scaled(look.half_height, 1.1F);
     look.ambient = varied_color(vary, look.ambient);
     look.horizon = varied_color(vary, look.horizon);
