@@ -71,7 +71,10 @@ TEST_F(PipelinesTest, draw_the_same_hooks)
 
 TEST_F(PipelinesTest, draw_the_same_trees)
 {
-    expect_same(compare_pipelines(grove_window(), grove_background, false, paint_grove));
+    expect_same(compare_pipelines(grove_window(), grove_background, false, [](Recorder& out, Pipeline& pipeline) {
+        Variation as_written;
+        paint_grove(as_written, out, pipeline);
+    }));
 }
 
 TEST_F(PipelinesTest, draw_the_same_figures)
@@ -88,8 +91,10 @@ TEST_F(PipelinesTest, draw_the_same_figures)
 TEST_F(PipelinesTest, draw_the_same_androids)
 {
     const std::unique_ptr<Android> android = make_android();
-    expect_same(compare_pipelines(parade_projection(), parade_background, true,
-                                  [&](Recorder& out, Pipeline& pipeline) { paint_parade(out, pipeline, *android); }));
+    expect_same(compare_pipelines(parade_projection(), parade_background, true, [&](Recorder& out, Pipeline& pipeline) {
+        Variation as_written;
+        paint_parade(as_written, out, pipeline, *android);
+    }));
 }
 
 TEST_F(PipelinesTest, refuse_to_pop_an_empty_stack)
