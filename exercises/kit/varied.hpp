@@ -9,14 +9,22 @@
 /// What is written down in drivers, varied: what Variation itself does not have.
 namespace umbral {
 
+/// The list in a random order. So a pair comes in either order: who answers the first of each pair with yes and the
+/// second with no knows nothing.
+template <class T>
+[[nodiscard]] std::vector<T> in_random_order(Random& random, std::vector<T> list)
+{
+    for (std::size_t i = list.size(); i > 1; --i)
+        std::swap(list[i - 1], list[random.below(static_cast<std::uint32_t>(i))]);
+    return list;
+}
+
 /// The list in another order, for what is asked in turn. As written unless inputs are to vary.
 template <class T>
 [[nodiscard]] std::vector<T> in_random_order(Variation& vary, std::vector<T> list)
 {
-    if (Random* const random = vary.random())
-        for (std::size_t i = list.size(); i > 1; --i)
-            std::swap(list[i - 1], list[random->below(static_cast<std::uint32_t>(i))]);
-    return list;
+    Random* const random = vary.random();
+    return random != nullptr ? in_random_order(*random, std::move(list)) : list;
 }
 
 /// The plane, mirrored and turned by quarters about a point. Nothing is rounded if differences to that point are not.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <umbral/core/random.hpp>
+#include <utility>
 
 #include "judge/judges.hpp"
 #include "judge/rows/tensor_view.hpp"
@@ -46,6 +47,31 @@ Row most_frequent(const TensorView& view, Among among)
         if (const std::size_t count = ++counts[row]; count > most) most = count, best = std::move(row);
     }
     return best;
+}
+
+/// The most frequent two rows of a pair, all the way down: with answers of yes or no every other pair is right.
+Tensor most_frequent_pair(const Tensor& expected)
+{
+    const std::size_t pairs = expected.cells() / 2;
+    const std::size_t bytes = 2 * expected.bytes.size() / expected.cells();
+    const bool optional = !expected.present.empty();
+    const auto bytes_of = [&](std::size_t pair) { return std::span(expected.bytes).subspan(pair * bytes, bytes); };
+    const auto presence_of = [&](std::size_t pair) { return std::span(expected.present).subspan(2 * pair, 2); };
+    std::map<std::vector<std::byte>, std::size_t> counts;
+    std::size_t best = 0;
+    std::size_t most = 0;
+    for (std::size_t pair = 0; pair < pairs; ++pair) {
+        std::vector<std::byte> key(bytes_of(pair).begin(), bytes_of(pair).end());
+        for (std::size_t i = 0; optional && i < 2; ++i) key.push_back(std::byte{presence_of(pair)[i]});
+        if (const std::size_t count = ++counts[key]; count > most) most = count, best = pair;
+    }
+    Tensor tensor = expected;
+    for (std::size_t pair = 0; pair < pairs; ++pair) {
+        std::ranges::copy(bytes_of(best), tensor.bytes.begin() + static_cast<std::ptrdiff_t>(pair * bytes));
+        if (optional)
+            std::ranges::copy(presence_of(best), tensor.present.begin() + static_cast<std::ptrdiff_t>(2 * pair));
+    }
+    return tensor;
 }
 
 Row identity(std::size_t components)
@@ -127,6 +153,8 @@ Controls common_controls(const Check& check, const Tensor& expected, std::uint64
     if (components == 9 || components == 16) result.emplace_back("identity", filled(expected, identity(components)));
     result.emplace_back(picture ? "most frequent colour" : "most frequent row",
                         filled(expected, most_frequent(view, [](std::size_t) { return true; })));
+    if (check.pairs && expected.cells() >= 2 && expected.cells() % 2 == 0)
+        result.emplace_back("most frequent pair", most_frequent_pair(expected));
     result.emplace_back(picture ? "mean colour" : "mean row", filled(expected, statistics.mean));
     result.emplace_back("noise", noise_within(expected, statistics, seed));
     if (look != Look::none) result.emplace_back("blank", blank(expected, view));

@@ -79,16 +79,33 @@ TEST(Controls, in_pairs_no_constant_answer_earns_anything)
     std::vector<float> values;
     std::vector<std::uint8_t> present;
     for (int i = 0; i < 100; ++i) {
-        values.insert(values.end(), {2.0F, 0.0F});
-        present.insert(present.end(), {1, 0});
+        const bool hit_first = i % 5 < 3;
+        values.insert(values.end(), {hit_first ? 2.0F : 0.0F, hit_first ? 0.0F : 2.0F});
+        present.insert(present.end(), {std::uint8_t{hit_first}, std::uint8_t{!hit_first}});
     }
-    // Noise guesses a pair's presence one time in four, but the values are all one number here: what remains is bounded
-    // by that.
-    EXPECT_LE(best_control(check, optional_floats(values, present), nullptr, 5).right, 0.4);
-    for (const auto& [name, tensor] : controls(check, optional_floats(values, present), 5)) {
-        if (name == "noise") continue;
-        EXPECT_EQ(judge(check, tensor, optional_floats(values, present), nullptr).right, 0) << name;
+    const Tensor expected = optional_floats(values, present);
+    for (const auto& [name, tensor] : controls(check, expected, 5)) {
+        const double right = judge(check, tensor, expected, nullptr).right;
+        // Noise guesses a pair's presence one time in four, but the values are all one number here: what remains is
+        // bounded by that.
+        if (name == "noise")
+            EXPECT_LE(right, 0.4);
+        else
+            EXPECT_DOUBLE_EQ(right, name == "most frequent pair" ? 0.6 : 0) << name;
     }
+}
+
+TEST(Controls, the_most_frequent_pair_is_one_with_its_presence)
+{
+    Check check = check_of(JudgeKind{"numbers"}, absolute(1e-3));
+    check.pairs = true;
+    const auto pair = [&](const Tensor& expected) { return named(controls(check, expected, 1), "most frequent pair"); };
+    EXPECT_EQ(pair(floats({3, 7, 1, 0, 0, 1, 1, 0})), floats({1, 0, 1, 0, 1, 0, 1, 0}));
+    // The same numbers, present and not, are two pairs.
+    EXPECT_EQ(pair(optional_floats({0, 4, 0, 4, 0, 4, 4, 0, 4, 0}, {1, 1, 0, 1, 1, 1, 1, 0, 1, 0})),
+              optional_floats({0, 4, 0, 4, 0, 4, 0, 4, 0, 4}, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1}));
+    check.pairs = false;
+    EXPECT_FALSE(has(controls(check, floats({1, 0, 1, 0}), 1), "most frequent pair"));
 }
 
 TEST(Controls, no_picture_without_a_scene_earns_much)

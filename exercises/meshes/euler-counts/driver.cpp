@@ -100,7 +100,7 @@ void record_degenerate(Random& random, Variation& vary, Recorder& out)
             default: break;
         }
         pair.push_back(mesh);
-        for (const IndexedMesh& one : in_random_order(vary, pair)) {
+        for (const IndexedMesh& one : in_random_order(random, pair)) {
             record_counts(out, one);
             record_genus(out, one);
         }

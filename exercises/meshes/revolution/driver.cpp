@@ -98,9 +98,9 @@ void record_many(Random& random, Recorder& out)
 }
 
 /// 1 where a surface came back, 2 where the attempt was refused, 3 where something else was thrown.
-void record_attempts(Variation& vary, Recorder& out)
+void record_attempts(Case& what, Recorder& out)
 {
-    for (const Attempt& attempt : varied(vary, attempts())) {
+    for (const Attempt& attempt : varied(what.random, what.vary, attempts())) {
         float outcome = 1;
         try {
             (void)ask<revolve>(out, attempt.profile, attempt.copies);
@@ -150,7 +150,7 @@ const Driver driver = {
              record_seam(out, some_profile(c.random), copies);
      }},
     {"many", [](Case& c, Recorder& out) { record_many(c.random, out); }},
-    {"refused", [](Case& c, Recorder& out) { record_attempts(c.vary, out); }},
+    {"refused", [](Case& c, Recorder& out) { record_attempts(c, out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("surfaces", picture(out, c.vary)); }},
 };
 

@@ -98,12 +98,12 @@ inline std::vector<Attempt> attempts()
             {{{-0.0F, 0}, {1, 1}}, 5},     {{{-1e-44F, 0}, {1, 1}}, 5}};
 }
 
-/// The pairs in another order, each begun with either. As written unless inputs are to vary.
-inline std::vector<Attempt> varied(Variation& vary, const std::vector<Attempt>& all)
+/// The pairs, each begun with either; in another order if inputs are to vary.
+inline std::vector<Attempt> varied(Random& random, Variation& vary, const std::vector<Attempt>& all)
 {
     std::vector<std::vector<Attempt>> pairs;
     for (std::size_t i = 0; i + 1 < all.size(); i += 2)
-        pairs.push_back(in_random_order(vary, std::vector{all[i], all[i + 1]}));
+        pairs.push_back(in_random_order(random, std::vector{all[i], all[i + 1]}));
     std::vector<Attempt> result;
     for (const std::vector<Attempt>& pair : in_random_order(vary, pairs))
         result.insert(result.end(), pair.begin(), pair.end());

@@ -215,7 +215,7 @@ const Driver driver = {
          std::size_t i = 0;
          for (const PolygonMesh& bad : in_random_order(c.vary, no_bodies())) {
              const std::vector<PolygonMesh> pair{shuffled(good[i++ % good.size()], c.random), shuffled(bad, c.vary)};
-             for (const PolygonMesh& mesh : in_random_order(c.vary, pair)) record_fault(out, mesh);
+             for (const PolygonMesh& mesh : in_random_order(c.random, pair)) record_fault(out, mesh);
          }
      }},
     {"questions",
