@@ -23,8 +23,6 @@ std::vector<glm::vec3> origins(const GraphNode& node)
     return places;
 }
 
-glm::mat4 move(float x, float y) { return glm::translate(glm::mat4(1), {x, y, 0}); }
-
 /// The place of a house's point, the first object that a facade draws.
 glm::vec3 seen(const FacadeGraph& facade, const glm::vec3& point)
 {
