@@ -13,9 +13,11 @@ void record_first_pass(Case& what, Recorder& out)
     const auto distances = compile_distances(what);
     record_distances(out, probe_pairs(what.random, 60, {0.2, 1, 0.05}), *distances);
     // A lamp's view and a sun's, side by side.
-    const Grid<float> lamps = map_of(out, *distances, seen_by(lamp_at({1, 2.2F, 2.5F}, {0.1F, -0.3F, 0}, 55, 1.3F)));
+    const glm::vec3 lamp = what.vary.near(glm::vec3(1, 2.2F, 2.5F), 0.5F);
+    const glm::vec3 sun = what.vary.near(glm::vec3(-0.6F, 1, 0.8F), 0.4F);
+    const Grid<float> lamps = map_of(out, *distances, seen_by(lamp_at(lamp, {0.1F, -0.3F, 0}, 55, 1.3F)));
     out.tile("map", 0, 0, lamps.width, lamps.height);
-    const Grid<float> suns = map_of(out, *distances, seen_by(sun_from({-0.6F, 1, 0.8F}, {0, 0, 0}, {2.2F, 1.6F})));
+    const Grid<float> suns = map_of(out, *distances, seen_by(sun_from(sun, {0, 0, 0}, {2.2F, 1.6F})));
     out.tile("map", lamps.width, 0, suns.width, suns.height);
     Grid<float> both(lamps.width + suns.width, lamps.height);
     for (int y = 0; y < both.height; ++y)
@@ -29,7 +31,7 @@ void record_pictures(Case& what, Recorder& out)
     const auto distances = compile_distances(what);
     const auto shadows = compile_shadows(what);
     const auto record = [&](const char* name, const ShadowScene& scene, int width, int height) {
-        out.image(name, picture_of(out, *distances, *shadows, scene, width, height));
+        out.image(name, picture_of(out, *distances, *shadows, varied(what.vary, scene), width, height));
     };
     record("courtyard", courtyard(), 480, 360);
     record("slopes", slopes(), 240, 160);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <umbral/record/variation.hpp>
+
 #include "stage.hpp"
 
 /// What the cases of raytracing/shadow-map show.
@@ -191,6 +194,20 @@ inline ShadowScene stretched()
     }
     scene.things.push_back(pillow(glm::vec3(scene.light.place), {0.2F, -1.3F, 1.6F}));
     scene.eye = {0, 0.6F, 6.5F};
+    return scene;
+}
+
+/// The scene with all that stands in it turned under the eye, light and map too, and light of another tint; as written
+/// unless inputs are to vary.
+inline ShadowScene varied(Variation& vary, ShadowScene scene)
+{
+    if (!vary) return scene;
+    const float angle = vary.one_of(0.0F, std::array{-0.5F, -0.35F, 0.35F, 0.5F});
+    const glm::mat4 turn = glm::rotate(glm::mat4(1), angle, {0, 1, 0});
+    for (ShadowThing& thing : scene.things) thing.model = turn * thing.model;
+    scene.light.place = turn * scene.light.place;
+    scene.light.view = scene.light.view * inverse(turn);
+    scene.light.color *= vary.near(glm::vec3(0.75F), 0.25F);
     return scene;
 }
 

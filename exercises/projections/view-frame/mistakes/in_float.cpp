@@ -1,5 +1,5 @@
 // mistake: float throughout
-// credit: 80..95
+// credit: 70..95
 // hint: If up is almost parallel to the normal, u × n subtracts products that agree in nearly all their digits; and
 // many turns leave a float few digits for the angle. Compute in double.
 #include <umbral/projections/view_frame.hpp>
