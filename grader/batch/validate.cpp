@@ -1,21 +1,19 @@
 #include "batch/validate.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 
 #include "batch/case_results.hpp"
 #include "batch/column_findings.hpp"
 #include "batch/fixed_inputs.hpp"
 #include "batch/known_solutions.hpp"
+#include "batch/question_findings.hpp"
 #include "batch/related.hpp"
 #include "batch/rubric_findings.hpp"
 #include "judge/explain/confidence.hpp"
 #include "judge/judges.hpp"
 #include "manifest/statements.hpp"
-#include "question/log.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -200,32 +198,6 @@ std::vector<Finding> expect_cases(Worker& worker, const Exercise& exercise, unsi
     return findings;
 }
 
-/// Every row that is compared must have its question: a value without one tells a student nothing but itself.
-std::vector<Finding> expect_questions(Worker& worker, const Exercise& exercise, unsigned seed)
-{
-    const GradeOptions options = options_for(seed);
-    std::vector<Finding> findings;
-    for (const std::string& name : exercise.cases()) {
-        const RunOutcome told = worker.inquire(exercise, Answers::reference, name,
-                                               options.seeds.seed_of(exercise, name), {.questions = true});
-        const QuestionLog log = read_questions(told.recording.tensors);
-        std::set<std::string> without;
-        for (const Check& check : exercise.checks) {
-            const auto rows = log.rows.find(check.value);
-            if (check.case_name == name && rows != log.rows.end() && judge_of(check).plain_values &&
-                std::ranges::find(rows->second, 0U) != rows->second.end())
-                without.insert("'" + check.value + "'");
-        }
-        if (without.empty() && told.verdict == Verdict::ok) continue;
-        findings.push_back({exercise.id, "questions: " + name, seed, false, 0, "one a row",
-                            told.verdict == Verdict::ok
-                                ? fmt::format("rows of {} have none: the driver must ask() before it records them",
-                                              fmt::join(without, ", "))
-                                : told.message});
-    }
-    return findings;
-}
-
 }
 
 Finding expect_statements(const Exercise& exercise, unsigned seed)
@@ -271,7 +243,8 @@ void validate_unit(Worker& worker, const Exercise& exercise, unsigned seed, cons
     guarded("reference",
             [&] { report(expect_all(worker, exercise, "reference", reference_sources(reference, exercise), seed)); });
     guarded("questions", [&] {
-        for (const Finding& finding : expect_questions(worker, exercise, seed)) report(finding);
+        for (const Finding& finding : expect_questions(worker, exercise, options_for(seed).seeds, seed))
+            report(finding);
     });
     guarded("alternatives", [&] {
         for (const KnownSolution& other : alternatives_of(reference, exercise)) {
@@ -292,8 +265,7 @@ void validate_unit(Worker& worker, const Exercise& exercise, unsigned seed, cons
     guarded("columns", [&] {
         for (const Finding& finding : expect_columns(worker, exercise, options_for(seed).seeds, seed)) report(finding);
     });
-    guarded("fixed inputs",
-            [&] { report(expect_few_fixed_inputs(worker, exercise, options_for(seed).seeds, seed)); });
+    guarded("fixed inputs", [&] { report(expect_few_fixed_inputs(worker, exercise, options_for(seed).seeds, seed)); });
     guarded("stub", [&] {
         const UnitResult stub = grade_unit(worker, exercise, {stub_sources(exercise), {}, ""}, options_for(seed));
         report({exercise.id, "stub", seed, stub.verdict == Verdict::not_implemented && stub.score == 0, percent(stub),

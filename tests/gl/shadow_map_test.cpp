@@ -34,7 +34,8 @@ TEST_F(ShadowMap, single_points_are_lit_or_not_as_the_formula_in_double_says)
     for (const std::uint64_t seed : {7101U, 7102U, 7103U}) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
-        const std::vector<ShadowProbe> probes = probe_pairs(random, 150, {.least_cosine = 0.02, .most_cosine = 1, .band = 0.15});
+        const std::vector<ShadowProbe> probes =
+            probe_pairs(random, 150, {.least_cosine = 0.02, .most_cosine = 1, .band = 0.15});
         const std::vector<glm::vec3> colors = colors_of(probes, *shadows);
         for (std::size_t i = 0; i < probes.size(); ++i) {
             const ShadowProbe& probe = probes[i];

@@ -9,8 +9,8 @@
 
 namespace umbral {
 
-/// What a driver is given to run one case: its name, random numbers from this case's seed, the text of files that are not
-/// C++, and how inputs that are written down are to differ from what is written.
+/// What a driver is given to run one case: its name, random numbers from this case's seed, the text of files that are
+/// not C++, and how inputs that are written down are to differ from what is written.
 struct Case {
     std::string name;
     Random random;
