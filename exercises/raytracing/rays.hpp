@@ -8,6 +8,7 @@
 #include <umbral/core/random.hpp>
 #include <umbral/core/ray.hpp>
 #include <umbral/record/variation.hpp>
+#include <utility>
 #include <vector>
 
 /// Rays for the drivers of ray tracing, whatever surface they are aimed at.
@@ -38,15 +39,20 @@ inline Ray sized(Ray ray, float size)
     return ray;
 }
 
-/// Pairs one after the other, each of them turned round or not if inputs are to vary: which one meets something is not
-/// told by its place.
+/// Pairs one after the other, each of them turned round or not: which one meets something is not told by its place.
+template <class Shot>
+std::vector<Shot> in_pairs(Random& random, std::vector<Shot> shots)
+{
+    for (std::size_t i = 0; i + 1 < shots.size(); i += 2)
+        if (random.below(2) == 1) std::swap(shots[i], shots[i + 1]);
+    return shots;
+}
+
+/// The same if inputs are to vary; else as written.
 template <class Shot>
 std::vector<Shot> in_pairs(Variation& vary, std::vector<Shot> shots)
 {
-    if (Random* const random = vary.random())
-        for (std::size_t i = 0; i + 1 < shots.size(); i += 2)
-            if (random->below(2) == 1) std::swap(shots[i], shots[i + 1]);
-    return shots;
+    return vary ? in_pairs(*vary.random(), std::move(shots)) : shots;
 }
 
 /// The same points of the same line, by a direction that is `length` times as long: t counts in it.

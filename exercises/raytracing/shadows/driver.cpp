@@ -110,7 +110,7 @@ void record_picture(Variation& vary, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case& c, Recorder& out) { record(out, in_pairs(c.vary, by_hand())); }},
+    {"by hand", [](Case& c, Recorder& out) { record(out, in_pairs(c.random, by_hand())); }},
     {"random", [](Case& c, Recorder& out) { record(out, light_pairs(c.random, 1, 4, 300)); }},
     {"turned away", [](Case& c, Recorder& out) { record(out, turned_away(c.random)); }},
     {"grazing", [](Case& c, Recorder& out) { record(out, grazing(c.random)); }},
