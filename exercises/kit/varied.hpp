@@ -54,6 +54,19 @@ inline PlaneMap plane_map(Variation& vary, const glm::vec2& middle = glm::vec2(0
     return map;
 }
 
+/// The eye elsewhere about its target, as high and as far away, by at most so many radians. Unless inputs are to vary
+/// it is where it was, to the last bit.
+inline glm::vec3 other_eye(Variation& vary, const glm::vec3& eye, const glm::vec3& target, float most)
+{
+    return vary ? target + vary.turn({0, 1, 0}, most) * (eye - target) : eye;
+}
+
+/// The colour with its channels exchanged in a circle: channel `first` of 0, 1 and 2 becomes red.
+inline glm::vec3 from_channel(const glm::vec3& color, int first)
+{
+    return {color[first], color[(first + 1) % 3], color[(first + 2) % 3]};
+}
+
 /// A power of two from 2^-`most` to 2^`most`; 1 unless inputs are to vary.
 inline float other_unit(Variation& vary, int most) { return std::ldexp(1.0F, vary.near(0, most)); }
 

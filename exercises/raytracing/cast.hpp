@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 #include <kit/picture.hpp>
+#include <kit/varied.hpp>
 #include <umbral/core/ray.hpp>
 #include <umbral/record/variation.hpp>
 
@@ -18,7 +19,7 @@ struct Camera {
 /// Another place for the camera, if inputs are to vary: about its target, as high and as far away.
 inline Camera varied(Variation& vary, Camera camera)
 {
-    camera.eye = vary ? camera.target + vary.turn({0, 1, 0}, 0.6F) * (camera.eye - camera.target) : camera.eye;
+    camera.eye = other_eye(vary, camera.eye, camera.target, 0.6F);
     camera.half_height = vary.scaled(camera.half_height, 1.1F);
     return camera;
 }

@@ -3,9 +3,12 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <kit/varied.hpp>
+#include <numeric>
 #include <umbral/core/random.hpp>
 #include <umbral/record/variation.hpp>
 #include <umbral/transforms/rotation.hpp>
+#include <utility>
 #include <vector>
 
 /// What the drivers of transforms share: turns about axes.
@@ -24,12 +27,9 @@ inline glm::vec3 by_quarters(Variation& vary, glm::vec3 vector)
 /// The numbers from 0 on, in another order if inputs are to vary: what is asked must not follow from its place.
 inline std::vector<int> numbers(Variation& vary, int count)
 {
-    std::vector<int> order;
-    for (int i = 0; i < count; ++i) {
-        const auto last = static_cast<std::uint32_t>(i);
-        order.insert(order.begin() + (vary ? vary.random()->below(last + 1) : last), i);
-    }
-    return order;
+    std::vector<int> order(static_cast<std::size_t>(count));
+    std::iota(order.begin(), order.end(), 0);
+    return in_random_order(vary, std::move(order));
 }
 
 /// A turn about a uniform axis of length 0.5 to 2, by less than half a turn to either side.

@@ -37,7 +37,7 @@ Millipoints kept(Worker& worker, const Exercise& exercise, const Check& check, c
     one.student = worker.trusted(exercise, Answers::reference, name, seed);
     const RunOutcome& expected = worker.trusted(exercise, judged_against(check), name, other);
     const CheckResult found = judge_check(check, one, expected, worker.basis(exercise, check, seed));
-    return 2 * found.score >= found.max_score ? found.max_score : found.score;
+    return believed_part * found.score >= found.max_score ? found.max_score : found.score;
 }
 
 }

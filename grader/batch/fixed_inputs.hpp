@@ -6,6 +6,9 @@
 
 namespace umbral::grader {
 
+/// Work keeps all of a check's points if with other inputs it earns one part in so many of them.
+inline constexpr Millipoints believed_part = 2;
+
 /// Is anything that the check looks at another with another seed? Asked of the reference: of visible cases with two
 /// seeds that are the same for all, so that a result depends on nobody else's.
 [[nodiscard]] bool has_other_inputs(Worker& worker, const Exercise& exercise, const Check& check,

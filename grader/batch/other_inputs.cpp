@@ -19,9 +19,8 @@ namespace {
 /// Inputs that are tried one after the other. By chance alone none of two fails that should not.
 constexpr unsigned most_rounds = 2;
 /// What is earned with other inputs differs a little for work that is partly right: a tenth of the check's points less
-/// is more than that if it is less than half of what was earned, or if fewer questions were answered rightly than by
-/// chance.
-constexpr Millipoints least_part = 2;
+/// is more than that if it is less than half of what was earned (believed_part), or if fewer questions were answered
+/// rightly than by chance.
 constexpr Millipoints least_loss = 10;
 
 bool is_little(const CheckResult& before, Millipoints lost) { return least_loss * lost < before.max_score; }
@@ -71,7 +70,7 @@ bool holds(Worker& worker, const Exercise& exercise, const Check& check, const C
            const CaseResult& first, const CaseResult& other, Asked& asked)
 {
     if (is_little(before, before.score - asked.best)) return true;
-    if (least_part * asked.best < before.score) return false;
+    if (believed_part * asked.best < before.score) return false;
     if (!asked.before) asked.before = right_questions(worker, exercise, check, first);
     const auto now = right_questions(worker, exercise, check, other);
     return !asked.before || !now || !is_beyond_chance(*asked.before, *now);
@@ -125,7 +124,7 @@ void expect_the_same_of_other_inputs(Worker& worker, const Exercise& exercise, c
         if (!one.held) take_away(found, one.best, "not with others");
     }
     // Who wrote down most of the answers that could be told apart is not believed about the others.
-    if (least_part * now >= before) return;
+    if (believed_part * now >= before) return;
     for (const std::size_t i : earners.unchanging)
         take_away(result.checks[i], result.checks[i].score * now / before, "these never change, while others failed");
 }

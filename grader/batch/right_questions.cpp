@@ -37,7 +37,7 @@ bool is_beyond_chance(const RightQuestions& larger, const RightQuestions& smalle
     const auto b = static_cast<double>(smaller.all);
     const double share = static_cast<double>(larger.right + smaller.right) / (a + b);
     const double difference = static_cast<double>(larger.right) / a - static_cast<double>(smaller.right) / b;
-    return difference > deviations * std::sqrt(share * (1 - share) * (1 / a + 1 / b)) && difference > 0;
+    return difference > deviations * std::sqrt(share * (1 - share) * (1 / a + 1 / b));
 }
 
 }

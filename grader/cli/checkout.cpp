@@ -29,17 +29,16 @@ fs::path mark_of(const Application& application, const Exercise& unit, UnitParts
     return unit_folder(application.tools, unit.id) / (parts == UnitParts::all ? "built" : "answers");
 }
 
-bool is_built(const Application& application, const Exercise& unit, UnitParts parts)
-{
-    return fs::exists(mark_of(application, unit, parts));
-}
+enum class State { missing, changed, built };
 
-/// Was anything changed since that could lead to other parts?
-bool is_stale(const Application& application, const Exercise& unit, UnitParts parts)
+/// Changed: after `shared`, the last change of what all units are built from, or after one of the unit's own, which
+/// could lead to other parts.
+State state_of(const fs::path& mark, const Exercise& unit, UnitParts parts, fs::file_time_type shared)
 {
-    std::error_code none;
-    const fs::file_time_type built = fs::last_write_time(mark_of(application, unit, parts), none);
-    return !none && built < last_change(application.tools, unit, parts);
+    std::error_code missing;
+    const fs::file_time_type built = fs::last_write_time(mark, missing);
+    if (missing) return State::missing;
+    return built < std::max(shared, last_own_change(unit, parts)) ? State::changed : State::built;
 }
 
 std::string target_of(const Exercise& unit, UnitParts parts)
@@ -145,24 +144,28 @@ void have_header(const Application& application)
 
 bool are_built(const Application& application, std::span<const Exercise> units)
 {
-    return application.layout.installed || std::ranges::all_of(units, [&](const Exercise& unit) {
-               return is_built(application, unit, UnitParts::all);
-           });
+    if (application.layout.installed) return true;
+    const fs::file_time_type shared = last_shared_change(application.tools);
+    return std::ranges::all_of(units, [&](const Exercise& unit) {
+        return state_of(mark_of(application, unit, UnitParts::all), unit, UnitParts::all, shared) == State::built;
+    });
 }
 
 void have_built(const Application& application, std::span<const Exercise> units, UnitParts parts)
 {
     if (application.layout.installed) return have_header(application);
+    const fs::file_time_type shared = last_shared_change(application.tools);
     std::vector<std::string> missing;
     std::vector<std::string> changed;
     std::vector<std::string> targets;
     std::vector<fs::path> marks;
     for (const Exercise& unit : units) {
-        const bool is_there = is_built(application, unit, parts);
-        if (is_there && !is_stale(application, unit, parts)) continue;
-        (is_there ? changed : missing).push_back(unit.name);
+        const fs::path mark = mark_of(application, unit, parts);
+        const State state = state_of(mark, unit, parts, shared);
+        if (state == State::built) continue;
+        (state == State::changed ? changed : missing).push_back(unit.name);
         targets.push_back(target_of(unit, parts));
-        marks.push_back(mark_of(application, unit, parts));
+        marks.push_back(mark);
     }
     if (targets.empty()) return;
     const auto say = [&](const char* what, const std::vector<std::string>& names) {

@@ -15,10 +15,10 @@ namespace umbral::grader {
 /// What is needed of a unit: its answers and driver, or also its known mistakes.
 enum class UnitParts { answers, all };
 
-/// Were all parts of these units built? In an installation they are.
+/// Were all parts of these units built, of the sources as they are? In an installation they were.
 [[nodiscard]] bool are_built(const Application& application, std::span<const Exercise> units);
 
-/// Builds those of the units whose parts were not built yet, or whose sources were changed since (last_change); in an
+/// Builds those of the units whose parts were not built yet, or whose sources were changed since; in an
 /// installation the precompiled header, if this compiler has none yet.
 void have_built(const Application& application, std::span<const Exercise> units, UnitParts parts = UnitParts::all);
 

@@ -16,14 +16,15 @@ bool is_built_from(const fs::path& file)
     return std::ranges::find(kinds, file.extension().string()) != kinds.end();
 }
 
-/// The latest of `latest` and the changes of a folder's files, of those below it too if `deep`.
-fs::file_time_type latest_in(const fs::path& folder, bool deep, bool mistakes, fs::file_time_type latest)
+/// Of a folder's files, and of those below it in folders that `enters` names.
+template <class Enters>
+fs::file_time_type latest_in(const fs::path& folder, const Enters& enters)
 {
+    fs::file_time_type latest = fs::file_time_type::min();
     std::error_code none;
     for (fs::recursive_directory_iterator entry(folder, none), end; entry != end; entry.increment(none)) {
-        const std::string name = entry->path().filename().string();
         if (entry->is_directory(none)) {
-            if (!deep || name == "alternatives" || (name == "mistakes" && !mistakes)) entry.disable_recursion_pending();
+            if (!enters(entry->path().filename())) entry.disable_recursion_pending();
         } else if (is_built_from(entry->path())) {
             latest = std::max(latest, entry->last_write_time(none));
         }
@@ -33,15 +34,20 @@ fs::file_time_type latest_in(const fs::path& folder, bool deep, bool mistakes, f
 
 }
 
-fs::file_time_type last_change(const Toolchain& tools, const Exercise& unit, UnitParts parts)
+fs::file_time_type last_shared_change(const Toolchain& tools)
 {
-    const bool mistakes = parts == UnitParts::all;
-    fs::file_time_type latest = fs::file_time_type::min();
-    latest = latest_in(unit.folder, true, mistakes, latest);
-    latest = latest_in(unit.folder.parent_path(), false, false, latest);
-    for (const fs::path& shared : {tools.exercises / "kit", tools.reference, tools.framework / "umbral"})
-        latest = latest_in(shared, true, false, latest);
-    return latest;
+    const auto all = [](const fs::path&) { return true; };
+    return std::max({latest_in(tools.exercises / "kit", all), latest_in(tools.reference, all),
+                     latest_in(tools.framework / "umbral", all)});
+}
+
+fs::file_time_type last_own_change(const Exercise& unit, UnitParts parts)
+{
+    const auto built = [&](const fs::path& name) {
+        return name != "alternatives" && (name != "mistakes" || parts == UnitParts::all);
+    };
+    const auto none = [](const fs::path&) { return false; };
+    return std::max(latest_in(unit.folder, built), latest_in(unit.folder.parent_path(), none));
 }
 
 }

@@ -139,7 +139,7 @@ TEST_F(FragmentShader, marches_meet_the_sponge_where_its_digits_say)
         const glm::dvec3 centre(scene.ball);
         glm::vec3 expected(0, 0, 1);
         bool before_in_ball = false;
-        for (double t = 0; t < 12; t += 0.001) {
+        for (double t = 0; t < 30; t += 0.001) {
             const glm::dvec3 p = o + t * u;
             const bool in_ball = distance(p, centre) < double{scene.ball.w};
             if (!in_ball && in_sponge(p, scene.depth)) {

@@ -86,6 +86,8 @@ TEST(ExactMap, turns_and_scales_without_rounding_and_never_leaves_all_in_place)
         EXPECT_NE(turn, glm::mat3(1));
         const glm::vec3 p(0.1F, -3.7F, 1e-7F);
         EXPECT_EQ(map.place(p), map.scale() * (turn * p));
+        EXPECT_EQ(map.place(p), map.matrix() * p);
+        EXPECT_EQ(map.place(glm::vec4(p, 0.5F)), glm::vec4(map.place(p), 0.5F)) << "w remains";
         EXPECT_LE(std::abs(std::log2(map.scale())), 3);
         std::string text;
         for (int k = 0; k < 9; ++k) text += std::to_string(static_cast<int>(turn[k / 3][k % 3])) + ' ';

@@ -111,7 +111,7 @@ void record_planes(Variation& vary, Recorder& out)
     // The world turned by quarters of a turn, in which nothing is rounded, the camera with it.
     const auto record_turned = [&](SnapCamera camera, glm::ivec2 pixel, SnapPlane plane) {
         const ExactMap map = vary.exact_map(0);
-        const glm::mat3 turn(map.place({1, 0, 0}), map.place({0, 1, 0}), map.place({0, 0, 1}));
+        const glm::mat3 turn = map.matrix();
         camera.view *= glm::mat4(glm::transpose(turn));
         plane.normal = glm::dmat3(turn) * plane.normal;
         record_point(out, camera, pixel, plane);

@@ -56,7 +56,7 @@ void by_hand(Variation& vary, Recorder& out)
     for (LitSphere q : in_random_order(vary, questions)) {
         const ExactMap map = vary.exact_map(0);
         for (glm::vec3* const place : {&q.sphere.centre, &q.eye}) *place = map.place(*place);
-        q.light.position = glm::vec4(map.place(glm::vec3(q.light.position)), q.light.position.w);
+        q.light.position = map.place(q.light.position);
         record(out, q);
     }
     struct Sight {

@@ -32,7 +32,7 @@ void by_hand(Variation& vary, Recorder& out)
                                                  {{{2, 6, 3, 0}}, {1, 1, 1}}};
     for (const auto& [light, point] : pairs) {
         const ExactMap map = vary.exact_map(0);
-        const Light turned{glm::vec4(map.place(glm::vec3(light.position)), light.position.w), light.color};
+        const Light turned{map.place(light.position), light.color};
         out.append("towards", ask<direction_to_light>(out, turned, map.place(point)));
     }
 

@@ -58,7 +58,7 @@ void by_hand(Variation& vary, Recorder& out)
     PlacedLight out_of_order{{{3, 1, -2, 1}, {0, 0, 0}}, LightFrame::world};
     for (PlacedLight* placed : {&lamp, &sun, &torch, &headlight, &out_of_order}) {
         glm::vec4& position = placed->light.position;
-        position = glm::vec4(vary.exact_map().place(glm::vec3(position)), position.w);
+        position = vary.exact_map().place(position);
         placed->light.color *= vary.near(glm::vec3(1), 0.25F);
     }
     const std::vector<std::vector<PlacedLight>> sets = {{lamp},           {lamp, sun, torch, headlight}, {torch}, {},

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kit/varied.hpp>
+
 #include "probes.hpp"
 
 /// Scenes for draw_lit.
@@ -137,8 +139,7 @@ inline LitScene varied(Variation& vary, LitScene scene)
         light = {lights_turned * light.position, light.color * vary.near(glm::vec3(0.85F), 0.15F)};
     const int red = vary.one_of(0, std::array{1, 2});
     for (LitThing& thing : scene.things)
-        for (glm::vec3* color : {&thing.material.ambient, &thing.material.diffuse})
-            *color = {(*color)[red], (*color)[(red + 1) % 3], (*color)[(red + 2) % 3]};
+        for (glm::vec3* color : {&thing.material.ambient, &thing.material.diffuse}) *color = from_channel(*color, red);
     return scene;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
+#include <kit/varied.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/record/variation.hpp>
 
@@ -176,7 +177,7 @@ inline Scene varied(Variation& vary, Scene scene)
     const int red = vary.one_of(0, std::array{1, 2});
     for (Thing& thing : scene.things)
         for (glm::vec3* color : {&thing.material.emission, &thing.material.ambient, &thing.material.diffuse})
-            *color = {(*color)[red], (*color)[(red + 1) % 3], (*color)[(red + 2) % 3]};
+            *color = from_channel(*color, red);
     return scene;
 }
 

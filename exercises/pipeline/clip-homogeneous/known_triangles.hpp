@@ -81,7 +81,7 @@ inline std::vector<ClipTriangle> varied(Variation& vary, std::vector<ClipTriangl
 {
     const ExactMap map = vary.exact_map(0);
     for (ClipTriangle& triangle : triangles) {
-        for (glm::vec4& corner : triangle) corner = glm::vec4(map.place(glm::vec3(corner)), corner.w);
+        for (glm::vec4& corner : triangle) corner = map.place(corner);
         std::rotate(triangle.begin(), triangle.begin() + vary.one_of(0, std::array{1, 2}), triangle.end());
     }
     return in_random_order(vary, std::move(triangles));

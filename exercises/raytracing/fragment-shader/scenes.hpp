@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kit/varied.hpp>
 #include <umbral/record/variation.hpp>
 
 #include "stage.hpp"
@@ -102,7 +103,7 @@ inline glm::vec3 varied_color(Variation& vary, glm::vec3 color)
 /// Seen from another side, and in other light, if inputs are to vary: the eye is as high and as far away.
 inline RayLook varied(Variation& vary, RayLook look)
 {
-    if (vary) look.eye = look.target + vary.turn({0, 1, 0}, 0.5F) * (look.eye - look.target);
+    look.eye = other_eye(vary, look.eye, look.target, 0.5F);
     look.half_height = vary.scaled(look.half_height, 1.1F);
     look.ambient = varied_color(vary, look.ambient);
     look.horizon = varied_color(vary, look.horizon);

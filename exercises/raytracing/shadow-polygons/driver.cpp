@@ -49,7 +49,7 @@ std::vector<ShadowTask> turned(Variation& vary, std::vector<ShadowTask> tasks)
 {
     for (auto& [light, caster, receiver, unit] : tasks) {
         const ExactMap map = vary.exact_map(0);
-        light = glm::vec4(map.place(glm::vec3(light)), light.w);
+        light = map.place(light);
         caster = turned(map, caster);
         receiver = turned(map, receiver);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kit/magnitude.hpp>
+#include <kit/varied.hpp>
 #include <umbral/record/variation.hpp>
 
 #include "stage.hpp"
@@ -185,7 +186,7 @@ inline Scene shifted_lens()
 inline Scene varied(Variation& vary, Scene scene)
 {
     if (!vary) return scene;
-    scene.eye = scene.target + vary.turn({0, 1, 0}, 0.25F) * (scene.eye - scene.target);
+    scene.eye = other_eye(vary, scene.eye, scene.target, 0.25F);
     scene.projector.view = glm::mat4(vary.turn({0, 0, 1}, 0.8F)) * scene.projector.view;
     scene.projector.lamp *= vary.near(glm::vec3(0.85F), 0.15F);
     return scene;

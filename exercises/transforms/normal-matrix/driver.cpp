@@ -43,12 +43,6 @@ glm::mat4 random_model(bool mirror, Random& random)
     return glm::scale(second, factors) * turned(random);
 }
 
-/// The matrix of an exact map.
-glm::mat4 turned_exactly(const ExactMap& map)
-{
-    return glm::mat4(glm::mat3(map.place({1, 0, 0}), map.place({0, 1, 0}), map.place({0, 0, 1})));
-}
-
 void record_known(Variation& vary, Recorder& out)
 {
     glm::mat4 sheared(1);
@@ -65,7 +59,7 @@ void record_known(Variation& vary, Recorder& out)
          {stretched, sheared, moved, glm::mat4(1), moved * stretched, glm::scale(glm::mat4(1), {1, 2, 4}),
           sheared * stretched, axes_changed, half_turn, inside_out, axes_changed * inside_out, slanted})
         for (const glm::vec3& normal : {glm::vec3(1, 1, 0), {0, 1, 0}, {1, 0, 0}, {0, 3, 4}})
-            record(turned_exactly(vary.exact_map(1)) * model, normalize(by_quarters(vary, normal)), out);
+            record(glm::mat4(vary.exact_map(1).matrix()) * model, normalize(by_quarters(vary, normal)), out);
 }
 
 // Pairs of a mirror and what is none, in random order; in every third both have the same columns but one, which the

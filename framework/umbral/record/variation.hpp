@@ -38,8 +38,12 @@ struct ExactMap {
     {
         return factor * glm::vec3(p[axis[0]], p[axis[1]], p[axis[2]]);
     }
+    /// Homogeneous coordinates: w remains.
+    [[nodiscard]] glm::vec4 place(const glm::vec4& p) const { return {place(glm::vec3(p)), p.w}; }
     /// A direction, which keeps its length.
     [[nodiscard]] glm::vec3 direction(const glm::vec3& d) const { return place(d) / scale(); }
+    /// What places are multiplied by.
+    [[nodiscard]] glm::mat3 matrix() const { return {place({1, 0, 0}), place({0, 1, 0}), place({0, 0, 1})}; }
 };
 
 /// Makes inputs that are written down in a driver others than written, in runs that are asked for it; else each
