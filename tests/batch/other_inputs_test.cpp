@@ -16,7 +16,7 @@
 namespace umbral::grader::test {
 namespace {
 
-/// Right for its first ten questions; from then on only if it has met these ten before.
+/// Right for its first four questions; from then on only if it has met these four before.
 constexpr const char* knows_its_case = R"(
 #include <bit>
 #include <cstdio>
@@ -33,11 +33,11 @@ bool answers(const umbral::Ray& ray, const umbral::raytracing::Sphere& ball)
     static int calls = 0;
     static unsigned met = 0;
     static bool known = true;
-    if (++calls <= 10)
+    if (++calls <= 4)
         for (const float number : {ray.origin.x, ray.origin.y, ray.direction.x, ray.direction.z, ball.radius})
-            met = 31 * met + std::bit_cast<unsigned>(number);
-    if (calls == 10 && @TELLS@) std::printf("case %u\n", met);
-    if (calls == 10) known = @TELLS@ || is_known(met);
+            met = std::rotr(31 * met + std::bit_cast<unsigned>(number), 11);  // small integers end with zeros
+    if (calls == 4 && @TELLS@) std::printf("case %u\n", met);
+    if (calls == 4) known = @TELLS@ || is_known(met);
     return known;
 }
 }
