@@ -67,6 +67,15 @@ inline glm::vec3 from_channel(const glm::vec3& color, int first)
     return {color[first], color[(first + 1) % 3], color[(first + 2) % 3]};
 }
 
+/// A share of each channel, between `least` and `most`, to multiply colours by; 1 unless inputs are to vary.
+inline glm::vec3 shares(Variation& vary, float least, float most)
+{
+    glm::vec3 found(1);
+    if (Random* const random = vary.random())
+        for (int channel = 0; channel < 3; ++channel) found[channel] = random->uniform(least, most);
+    return found;
+}
+
 /// A power of two from 2^-`most` to 2^`most`; 1 unless inputs are to vary.
 inline float other_unit(Variation& vary, int most) { return std::ldexp(1.0F, vary.near(0, most)); }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <kit/varied.hpp>
 #include <optional>
 #include <string>
 #include <umbral/core/random.hpp>
@@ -53,6 +54,17 @@ public:
         add(SolidQuad{corner + z, x, up}, paint);
         add(SolidQuad{corner, z, up}, paint);
         add(SolidQuad{corner + x, up, z}, paint);
+    }
+    /// Other light and other paint, if inputs are to vary. Paint becomes a little darker, so that no path is longer; of
+    /// light a half is missing, so that no estimate is near what it was.
+    void darken(Variation& vary)
+    {
+        for (Look& look : looks_) {
+            look.paint.albedo *= shares(vary, 0.75F, 0.95F);
+            look.paint.second *= shares(vary, 0.75F, 0.95F);
+            look.paint.emitted *= shares(vary, 0.35F, 0.65F);
+            if (look.lamp >= 0) lamps_[static_cast<std::size_t>(look.lamp)].radiance = look.paint.emitted;
+        }
     }
 
 protected:

@@ -40,18 +40,19 @@ void record_disc(Random& random, Recorder& out)
     out.text("moments.names", numbered_names(disc_names()));
 }
 
-void record_penumbra(Random& random, Recorder& out)
+void record_penumbra(Case& c, Recorder& out)
 {
-    const StillLife scene = penumbra_scene();
+    const glm::vec3 stretch = varied_stretch(c.vary);
+    const StillLife scene = penumbra_scene(stretch);
     introduce(out, scene, "penumbra_scene");
-    const std::vector<PenumbraQuestion> questions = penumbra_questions();
+    const std::vector<PenumbraQuestion> questions = penumbra_questions(stretch);
     std::vector<std::string> names;
     for (const PenumbraQuestion& question : questions) names.push_back(question.name);
     for (int replicate = 0; replicate < 256; ++replicate) {
         std::vector<float> row;
         for (std::size_t i = 0; i < questions.size(); ++i) {
             const PenumbraQuestion& question = questions[i];
-            Random own = own_random(random);
+            Random own = own_random(c.random);
             const int samples = i % 2 == 0 ? 16 : 9;
             row.push_back(ask<lamp_light>(out, scene, question.at, question.lamp, question.time, samples, own));
         }
@@ -66,17 +67,24 @@ glm::vec3 asked_light(Recorder& out, const PixelQuestion& question, int samples,
     return ask<pixel_light>(out, question.scene, question.camera, question.size, question.pixel, samples, own);
 }
 
-void record_sharp(Random& random, Recorder& out)
+/// The questions with their scenes in other light, if inputs are to vary.
+std::vector<PixelQuestion> varied(Variation& vary, std::vector<PixelQuestion> questions)
 {
-    const std::vector<PixelQuestion> questions = sharp_pixels(random);
-    for (const PixelQuestion& question : questions) introduce(out, question.scene, "panels");
-    for (std::size_t i = 0; i < questions.size(); ++i)
-        out.append("light", asked_light(out, questions[i], 1 + static_cast<int>(i % 5), random));
+    for (PixelQuestion& question : questions) question.scene = question.scene.varied(vary);
+    return questions;
 }
 
-void record_means(Random& random, Recorder& out)
+void record_sharp(Case& c, Recorder& out)
 {
-    const std::vector<PixelQuestion> questions = mean_pixels();
+    const std::vector<PixelQuestion> questions = varied(c.vary, sharp_pixels(c.random));
+    for (const PixelQuestion& question : questions) introduce(out, question.scene, "panels");
+    for (std::size_t i = 0; i < questions.size(); ++i)
+        out.append("light", asked_light(out, questions[i], 1 + static_cast<int>(i % 5), c.random));
+}
+
+void record_means(Case& c, Recorder& out)
+{
+    const std::vector<PixelQuestion> questions = varied(c.vary, mean_pixels());
     std::vector<std::string> names;
     for (const PixelQuestion& question : questions) {
         introduce(out, question.scene, "scene");
@@ -86,7 +94,7 @@ void record_means(Random& random, Recorder& out)
     for (int replicate = 0; replicate < 400; ++replicate) {
         std::vector<float> row;
         for (const PixelQuestion& question : questions) {
-            const glm::vec3 light = asked_light(out, question, question.samples, random);
+            const glm::vec3 light = asked_light(out, question, question.samples, c.random);
             row.insert(row.end(), {light.r, light.g, light.b});
         }
         out.append("light", row);
@@ -136,16 +144,18 @@ void record_secret(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { record_lenses(out, lenses_by_hand()); }},
+    {"by hand", [](Case& c, Recorder& out) { record_lenses(out, lenses_by_hand(c.vary)); }},
     {"random", [](Case& c, Recorder& out) { record_lenses(out, random_lenses(c.random, 300)); }},
     {"disc", [](Case& c, Recorder& out) { record_disc(c.random, out); }},
-    {"penumbra", [](Case& c, Recorder& out) { record_penumbra(c.random, out); }},
-    {"sharp", [](Case& c, Recorder& out) { record_sharp(c.random, out); }},
-    {"means", [](Case& c, Recorder& out) { record_means(c.random, out); }},
+    {"penumbra", [](Case& c, Recorder& out) { record_penumbra(c, out); }},
+    {"sharp", [](Case& c, Recorder& out) { record_sharp(c, out); }},
+    {"means", [](Case& c, Recorder& out) { record_means(c, out); }},
     {"promises", [](Case& c, Recorder& out) { record_promises(c.random, out); }},
     {"secret", [](Case& c, Recorder& out) { record_secret(c.random, out); }},
     {"picture",
-     [](Case& c, Recorder& out) { record_picture(c.random, out, goal_still_life(), goal_camera(), 96, 16); }},
+     [](Case& c, Recorder& out) {
+         record_picture(c.random, out, goal_still_life().varied(c.vary), goal_camera(), 96, 16);
+     }},
     {"goal", [](Case& c, Recorder& out) { record_picture(c.random, out, goal_still_life(), goal_camera(), 240, 64); }},
 };
 

@@ -14,8 +14,9 @@ struct LensQuestion {
 };
 
 /// Cameras along the axes, and places and points of the lens with few digits.
-inline std::vector<LensQuestion> lenses_by_hand()
+inline std::vector<LensQuestion> lenses_by_hand(Variation& vary)
 {
+    const ExactMap map = vary.exact_map(0);
     const LensCamera front{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.5F, 0.5F, 4, 0, 0};
     LensCamera pinhole = front;
     pinhole.lens_radius = 0;
@@ -24,13 +25,16 @@ inline std::vector<LensQuestion> lenses_by_hand()
     const PictureSize square{100, 100};
     const PictureSize wide{200, 100};
     const PictureSize tall{60, 80};
-    return {{front, square, {50, 50}, {0, 0}},      {front, square, {50, 50}, {1, 0}},
-            {front, square, {50, 50}, {0, -1}},     {front, square, {100, 50}, {0, 0}},
-            {front, square, {0, 0}, {0.5F, 0.5F}},  {front, wide, {200, 50}, {0, 0}},
-            {front, wide, {50, 75}, {-0.5F, 0}},    {front, tall, {30, 0}, {0, 1}},
-            {front, tall, {60, 60}, {0.6F, -0.8F}}, {pinhole, square, {25, 75}, {1, 0}},
-            {down, square, {50, 0}, {0, 1}},        {down, wide, {0, 100}, {0.5F, 0.5F}},
-            {aside, tall, {60, 40}, {-1, 0}},       {aside, square, {10, 20}, {0, 0.5F}}};
+    std::vector<LensQuestion> questions{{front, square, {50, 50}, {0, 0}},      {front, square, {50, 50}, {1, 0}},
+                                        {front, square, {50, 50}, {0, -1}},     {front, square, {100, 50}, {0, 0}},
+                                        {front, square, {0, 0}, {0.5F, 0.5F}},  {front, wide, {200, 50}, {0, 0}},
+                                        {front, wide, {50, 75}, {-0.5F, 0}},    {front, tall, {30, 0}, {0, 1}},
+                                        {front, tall, {60, 60}, {0.6F, -0.8F}}, {pinhole, square, {25, 75}, {1, 0}},
+                                        {down, square, {50, 0}, {0, 1}},        {down, wide, {0, 100}, {0.5F, 0.5F}},
+                                        {aside, tall, {60, 40}, {-1, 0}},       {aside, square, {10, 20}, {0, 0.5F}}};
+    for (auto& [camera, size, place, lens] : questions)
+        for (glm::vec3* vector : {&camera.eye, &camera.right, &camera.up, &camera.back}) *vector = map.place(*vector);
+    return questions;
 }
 
 inline std::vector<LensQuestion> random_lenses(Random& random, int count)
@@ -84,24 +88,39 @@ struct PenumbraQuestion {
 };
 
 /// A lamp over a table, with a screen that covers half of the view, a ball that flies by, and points all over: fully
-/// lit, in the penumbra, in the dark, tilted, near, far, behind the lamp.
-inline StillLife penumbra_scene()
+/// lit, in the penumbra, in the dark, tilted, near, far, behind the lamp. All is stretched along the axes: what is
+/// hidden stays hidden.
+inline StillLife penumbra_scene(const glm::vec3& stretch = glm::vec3(1))
 {
     StillLife life;
-    life.add(SolidQuad{{-2, 0.5F, -2}, {2, 0, 0}, {0, 0, 4}}, Paint{glm::vec3(0.5F)});
-    life.add(SolidBall{{1.5F, 0.6F, -2}, 0.35F, {0, 0, 2}}, Paint{glm::vec3(0.5F)});
-    life.add_lamp({{-0.5F, 2, -0.75F}, {1, 0, 0}, {0, 0, 1.5F}, {1, 1, 1}});
-    life.add_lamp({{5, 1, -1}, {0, 0, 2}, {0, 2, 0}, {1, 1, 1}});
+    life.add(SolidQuad{stretch * glm::vec3(-2, 0.5F, -2), stretch * glm::vec3(2, 0, 0), stretch * glm::vec3(0, 0, 4)},
+             Paint{glm::vec3(0.5F)});
+    life.add(SolidBall{stretch * glm::vec3(1.5F, 0.6F, -2), 0.35F, stretch * glm::vec3(0, 0, 2)},
+             Paint{glm::vec3(0.5F)});
+    life.add_lamp({stretch * glm::vec3(-0.5F, 2, -0.75F),
+                   stretch * glm::vec3(1, 0, 0),
+                   stretch * glm::vec3(0, 0, 1.5F),
+                   {1, 1, 1}});
+    life.add_lamp(
+        {stretch * glm::vec3(5, 1, -1), stretch * glm::vec3(0, 0, 2), stretch * glm::vec3(0, 2, 0), {1, 1, 1}});
     return life;
 }
 
-inline std::vector<PenumbraQuestion> penumbra_questions()
+/// How much, if inputs are to vary: by so much that the light is clearly another.
+inline glm::vec3 varied_stretch(Variation& vary)
 {
-    const StillLife life = penumbra_scene();
+    const float x = vary.one_of(1.0F, std::array{0.65F, 1.5F});
+    const float y = vary.one_of(1.0F, std::array{0.75F, 1.3F});
+    return {vary.scaled(x, 1.05F), vary.scaled(y, 1.05F), 1};
+}
+
+inline std::vector<PenumbraQuestion> penumbra_questions(const glm::vec3& stretch = glm::vec3(1))
+{
+    const StillLife life = penumbra_scene(stretch);
     const AreaLamp over = life.lamps()[0];
     const AreaLamp aside = life.lamps()[1];
-    const auto at = [](glm::vec3 position, glm::vec3 normal) {
-        return LitPoint{position, normalize(normal), glm::vec3(0.25F, 0.5F, 0.75F), glm::vec3(3)};
+    const auto at = [&](glm::vec3 position, glm::vec3 normal) {
+        return LitPoint{stretch * position, normalize(normal), glm::vec3(0.25F, 0.5F, 0.75F), glm::vec3(3)};
     };
     constexpr glm::vec3 up(0, 1, 0);
     return {{"The light beside the screen", at({0.75F, 0, 0.25F}, up), over, 0},

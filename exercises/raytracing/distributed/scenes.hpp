@@ -40,6 +40,17 @@ public:
     [[nodiscard]] glm::vec3 ambient() const override { return light_.ambient; }
     [[nodiscard]] const std::vector<AreaLamp>& lamps() const override { return all_lamps(); }
 
+    /// The scene in other light and other paint, if inputs are to vary.
+    [[nodiscard]] StillLife varied(Variation& vary) const
+    {
+        StillLife other = *this;
+        // A sky that is the same everywhere remains so.
+        const glm::vec3 share = shares(vary, 0.35F, 0.65F);
+        other.light_ = {share * light_.horizon, share * light_.zenith, shares(vary, 0.35F, 0.65F) * light_.ambient};
+        other.darken(vary);
+        return other;
+    }
+
 private:
     StageLight light_;
 };

@@ -22,11 +22,11 @@ void record_densities(Recorder& out, const std::vector<LampView>& views)
     for (const LampView& view : views) out.append("lamp", ask<lamp_density>(out, view.point, view.lamp, view.on_lamp));
 }
 
-void record_by_hand(Recorder& out)
+void record_by_hand(Variation& vary, Recorder& out)
 {
-    for (const auto& [normal, direction] : cosines_by_hand())
+    for (const auto& [normal, direction] : cosines_by_hand(vary))
         out.append("cosine", ask<cosine_density>(out, normal, direction));
-    record_densities(out, lamps_by_hand());
+    record_densities(out, lamps_by_hand(vary));
 }
 
 void record_random(Random& random, Recorder& out)
@@ -39,27 +39,27 @@ void record_random(Random& random, Recorder& out)
 }
 
 // Where no reflection takes part, all estimates are the same: what shines there, or the sky.
-void record_seen(Random& random, Recorder& out)
+void record_seen(Case& c, Recorder& out)
 {
-    const DiffuseRoom open = open_room();
+    const DiffuseRoom open = open_room().varied(c.vary);
     introduce(out, open, "open_room");
-    const DiffuseRoom black = black_room();
+    const DiffuseRoom black = black_room().varied(c.vary);
     introduce(out, black, "black_room");
-    for (const SeenRay& seen : seen_rays(random)) {
+    for (const SeenRay& seen : seen_rays(c.random)) {
         const DiffuseRoom& room = seen.black ? black : open;
-        Random own = own_random(random);
+        Random own = own_random(c.random);
         out.append("light", ask<path_light>(out, room, seen.ray, seen.bounces, seen.samples, own));
     }
 }
 
 // Moments of directions along the normal n and two vectors x and y across it, and shares of cones round it.
-void record_directions(Random& random, Recorder& out)
+void record_directions(Case& c, Recorder& out)
 {
-    const std::vector<glm::vec3> normals = normals_of_directions();
+    const std::vector<glm::vec3> normals = normals_of_directions(c.vary);
     for (int replicate = 0; replicate < 300; ++replicate) {
         std::vector<float> row;
         for (const glm::vec3& normal : normals) {
-            Random own = own_random(random);
+            Random own = own_random(c.random);
             DirectionMoments moments(normal);
             for (int i = 0; i < 8; ++i) moments.add(ask<cosine_direction>(out, normal, own));
             moments.append_to(row);
@@ -124,27 +124,27 @@ void record_secret(Random& random, Recorder& out)
     }
 }
 
-void record_picture(Random& random, Recorder& out, int size, int samples)
+void record_picture(Case& c, Recorder& out, int size, int samples)
 {
-    const DiffuseRoom room = cornell_room();
+    const DiffuseRoom room = cornell_room().varied(c.vary);
     introduce(out, room, "cornell_room");
     const Camera camera{{0, 1, 3.9F}, {0, 1, 0}, 0.33F};
-    out.image("box", rendered(random, out, room, camera, size, all_bounces, samples));
+    out.image("box", rendered(c.random, out, room, camera, size, all_bounces, samples));
 }
 
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { record_by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { record_by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
-    {"seen", [](Case& c, Recorder& out) { record_seen(c.random, out); }},
-    {"directions", [](Case& c, Recorder& out) { record_directions(c.random, out); }},
-    {"one bounce", [](Case& c, Recorder& out) { record_views(c.random, out, one_bounce(), 256); }},
-    {"furnace", [](Case& c, Recorder& out) { record_views(c.random, out, furnaces(), 256); }},
+    {"seen", [](Case& c, Recorder& out) { record_seen(c, out); }},
+    {"directions", [](Case& c, Recorder& out) { record_directions(c, out); }},
+    {"one bounce", [](Case& c, Recorder& out) { record_views(c.random, out, varied(c.vary, one_bounce()), 256); }},
+    {"furnace", [](Case& c, Recorder& out) { record_views(c.random, out, varied(c.vary, furnaces()), 256); }},
     {"promises", [](Case& c, Recorder& out) { record_promises(c.random, out); }},
     {"secret", [](Case& c, Recorder& out) { record_secret(c.random, out); }},
-    {"picture", [](Case& c, Recorder& out) { record_picture(c.random, out, 96, 16); }},
-    {"goal", [](Case& c, Recorder& out) { record_picture(c.random, out, 240, 64); }},
+    {"picture", [](Case& c, Recorder& out) { record_picture(c, out, 96, 16); }},
+    {"goal", [](Case& c, Recorder& out) { record_picture(c, out, 240, 64); }},
 };
 
 }

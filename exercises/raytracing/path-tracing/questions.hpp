@@ -19,23 +19,31 @@ struct LampView {
     glm::vec3 on_lamp;
 };
 
-inline std::vector<std::pair<glm::vec3, glm::vec3>> cosines_by_hand()
+inline std::vector<std::pair<glm::vec3, glm::vec3>> cosines_by_hand(Variation& vary)
 {
-    return {{{0, 0, 1}, {0, 0, 1}},       {{0, 1, 0}, {0.6F, 0.8F, 0}}, {{0, 0, -1}, {0, 0.8F, -0.6F}},
-            {{0, 0, 1}, {0, 0, -1}},      {{1, 0, 0}, {0, 0.6F, 0.8F}}, {{0, 1, 0}, {0.8F, -0.6F, 0}},
-            {{0.6F, 0, 0.8F}, {1, 0, 0}}, {{0.6F, 0, 0.8F}, {0, 0, 1}}};
+    const auto [a, b] = vary.one_of(
+        std::pair{0.6F, 0.8F},
+        std::array{std::pair{5.0F / 13, 12.0F / 13}, std::pair{8.0F / 17, 15.0F / 17}, std::pair{0.28F, 0.96F}});
+    return {{{0, 0, 1}, {0, 0, 1}}, {{0, 1, 0}, {a, b, 0}},  {{0, 0, -1}, {0, b, -a}}, {{0, 0, 1}, {0, 0, -1}},
+            {{1, 0, 0}, {0, a, b}}, {{0, 1, 0}, {b, -a, 0}}, {{a, 0, b}, {1, 0, 0}},   {{a, 0, b}, {0, 0, 1}}};
 }
 
 /// From above and below, from beside, with edges of several lengths that are not always perpendicular.
-inline std::vector<LampView> lamps_by_hand()
+inline std::vector<LampView> lamps_by_hand(Variation& vary)
 {
     const AreaLamp unit{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}};
     const AreaLamp wide{{-1, 2, -1}, {4, 0, 0}, {0, 0, 2}, {5, 5, 5}};
     const AreaLamp slanted{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 1}};
     const glm::vec3 middle(0.5F, 0.5F, 0);
-    return {{{0.5F, 0.5F, 1}, unit, middle},  {{0.5F, 0.5F, 3}, unit, middle},  {{0.5F, 0.5F, -2}, unit, middle},
-            {{3.5F, 4.5F, 12}, unit, middle}, {{0.5F, 4.5F, 3}, unit, middle},  {{0, 0, 0}, wide, {0, 2, 0}},
-            {{1, 0, 0}, wide, {1, 2, 0}},     {{-1, 3.5F, 1}, wide, {1, 2, 1}}, {{2, 1, 2}, slanted, {2, 0.5F, 0}}};
+    std::vector<LampView> views{
+        {{0.5F, 0.5F, 1}, unit, middle},  {{0.5F, 0.5F, 3}, unit, middle},  {{0.5F, 0.5F, -2}, unit, middle},
+        {{3.5F, 4.5F, 12}, unit, middle}, {{0.5F, 4.5F, 3}, unit, middle},  {{0, 0, 0}, wide, {0, 2, 0}},
+        {{1, 0, 0}, wide, {1, 2, 0}},     {{-1, 3.5F, 1}, wide, {1, 2, 1}}, {{2, 1, 2}, slanted, {2, 0.5F, 0}}};
+    // Lamps grow or shrink about the place that is looked at: exactly, by a power of two.
+    const float size = vary.one_of(1.0F, std::array{0.25F, 0.5F, 2.0F, 4.0F});
+    for (auto& [point, lamp, on_lamp] : views)
+        lamp = {on_lamp + size * (lamp.corner - on_lamp), size * lamp.edge_a, size * lamp.edge_b, lamp.radiance};
+    return views;
 }
 
 inline std::vector<LampView> random_lamps(Random& random, int count)
@@ -103,6 +111,14 @@ inline std::vector<glm::vec3> normals_of_directions()
 {
     return {{0, 1, 0}, {0, 0, -1}, {-1, 0, 0}, {0.48F, -0.6F, 0.64F}, {0, 0, 1}, {-0.48F, 0.64F, -0.6F}};
 }
+/// The same about other axes, if inputs are to vary.
+inline std::vector<glm::vec3> normals_of_directions(Variation& vary)
+{
+    std::vector<glm::vec3> normals = normals_of_directions();
+    const ExactMap map = vary.exact_map(0);
+    for (glm::vec3& normal : normals) normal = map.place(normal);
+    return normals;
+}
 
 /// Means over some directions round a normal n, with x and y across it.
 class DirectionMoments {
@@ -160,6 +176,13 @@ struct RoomView {
     int bounces;
     int samples;
 };
+
+/// The views with their rooms in other light, if inputs are to vary.
+inline std::vector<RoomView> varied(Variation& vary, std::vector<RoomView> views)
+{
+    for (RoomView& view : views) view.room = view.room.varied(vary);
+    return views;
+}
 
 inline std::string names_of_views(const std::vector<RoomView>& views)
 {

@@ -35,6 +35,16 @@ public:
     }
     [[nodiscard]] const std::vector<AreaLamp>& lamps() const override { return all_lamps(); }
 
+    /// The room in other light and other paint, if inputs are to vary.
+    [[nodiscard]] DiffuseRoom varied(Variation& vary) const
+    {
+        DiffuseRoom other = *this;
+        const glm::vec3 share = shares(vary, 0.35F, 0.65F);
+        other.sky_ = {share * sky_.horizon, share * sky_.zenith};
+        other.darken(vary);
+        return other;
+    }
+
 private:
     RoomSky sky_;
 };
