@@ -16,18 +16,10 @@
 namespace umbral::grader::test {
 namespace {
 
-Toolchain tools_of(const Workbench& bench)
-{
-    Toolchain tools = bench.tools();
-    tools.exercises = std::string(UMBRAL_SOURCE_DIR) + "/tests/fixtures/exercises";
-    tools.reference = std::string(UMBRAL_SOURCE_DIR) + "/tests/fixtures/reference";
-    return tools;
-}
-
 class NoiseUnit : public testing::Test {
 protected:
     Workbench bench;
-    Toolchain tools = tools_of(bench);
+    Toolchain tools = bench.fixture_tools();
     Exercise exercise = load_exercise(tools.exercises / "noise/direct-light");
     Worker worker{tools};
 

@@ -38,6 +38,14 @@ Workbench::Workbench()
               .flags = words(UMBRAL_TEST_STUDENT_FLAGS)};
 }
 
+Toolchain Workbench::fixture_tools() const
+{
+    Toolchain tools = tools_;
+    tools.exercises = std::string(UMBRAL_SOURCE_DIR) + "/tests/fixtures/exercises";
+    tools.reference = std::string(UMBRAL_SOURCE_DIR) + "/tests/fixtures/reference";
+    return tools;
+}
+
 RunRequest Workbench::sphere_run(const fs::path& library, const std::string& case_name) const
 {
     return {unit_folder(tools_, "raytracing/sphere") / "driver.so",

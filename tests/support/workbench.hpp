@@ -17,6 +17,8 @@ public:
     Workbench();
 
     [[nodiscard]] const Toolchain& tools() const { return tools_; }
+    /// The same with the units of tests/fixtures.
+    [[nodiscard]] Toolchain fixture_tools() const;
     /// A fresh folder for the test's own files.
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
     [[nodiscard]] Exercise exercise(const std::string& id) const { return load_exercise(tools_.exercises / id); }
