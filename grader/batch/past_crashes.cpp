@@ -59,9 +59,12 @@ std::string function_of_end(Worker& worker, const Exercise& exercise, const std:
     return kind != nullptr && kind->function.starts_with(recording.function) ? kind->function : "";
 }
 
+/// Memory that was asked for and not given ends a run as any other exception does; a run that the kernel killed tells
+/// nothing.
 bool can_be_passed(const RunOutcome& run)
 {
-    return (run.verdict == Verdict::crashed || run.verdict == Verdict::timeout) && run.recording.asked > 0;
+    const bool threw = run.verdict == Verdict::out_of_memory && run.recording.note == wire::Note::out_of_memory;
+    return (threw || run.verdict == Verdict::crashed || run.verdict == Verdict::timeout) && run.recording.asked > 0;
 }
 
 }

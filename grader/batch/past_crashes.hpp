@@ -10,7 +10,7 @@
 
 namespace umbral::grader {
 
-/// Runs a case that crashed or did not end again, without the questions in which it did, and keeps in `one` what that
+/// Runs a case that crashed, found no memory or did not end again, without the questions in which it did, and keeps in `one` what that
 /// gives, so that one edge case does not cost what has nothing to do with it. Of a function that crashes too often,
 /// nothing more is asked. A question that the student's code hangs in ends the case. Nothing is kept where the same
 /// happens without them.

@@ -44,6 +44,16 @@ TEST_F(PastCrashes, exceptions_are_no_different)
     EXPECT_LT(check(result, "ends/t").score, check(result, "ends/t").max_score);
 }
 
+TEST_F(PastCrashes, neither_is_memory_that_is_not_there)
+{
+    const UnitResult result = grade(seldom, "return std::vector<float>(std::size_t{1} << 40)[0];");
+    EXPECT_EQ(check(result, "inside/t").score, check(result, "inside/t").max_score);
+    EXPECT_GT(check(result, "ends/t").score, 0);
+    EXPECT_LT(check(result, "ends/t").score, check(result, "ends/t").max_score);
+    EXPECT_NE(result.message.find("your code asked for more than"), std::string::npos) << result.message;
+    EXPECT_NE(result.message.find("; asked intersect(Ray{"), std::string::npos) << result.message;
+}
+
 TEST_F(PastCrashes, an_endless_loop_costs_what_comes_after_it)
 {
     exercise.limits.wall_seconds = 1;
