@@ -90,6 +90,11 @@ std::string cannot_be_read(const BrokenUnit& unit)
     }
     if (!of_topic.empty())
         throw UsageError(fmt::format("'{}' is a topic, not a unit; its units: {}", name, listed(of_topic)));
+    if (fs::is_directory(name))
+        throw UsageError(
+            fmt::format("'{}' is a folder, not a unit; where a command takes a workspace, give it as "
+                        "--dir {}, or call the command in it",
+                        one_line(name), one_line(name)));
     // Behind the names, so that of two that are as near the unit comes first.
     if (!is_path)
         for (const Exercise& exercise : exercises) known.push_back(exercise.topic);

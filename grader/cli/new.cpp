@@ -39,8 +39,21 @@ void make_unit(Worker& worker, const Exercise& exercise, const fs::path& root)
     (void)save_goal(worker, exercise, root / unit / "goal.png");
 }
 
+/// Who forgets the folder would get one that is called as the unit is, with all units in it.
+void expect_folder(const Application& application, const NewOptions& options)
+{
+    if (fs::exists(options.folder)) return;
+    for (const Exercise& exercise : application.exercises)
+        if (options.folder == exercise.id || options.folder == exercise.name)
+            throw UsageError(
+                fmt::format("expected a folder for the workspace before the units, got the unit '{0}'; for example: "
+                            "umbral new work {0}",
+                            options.folder));
+}
+
 void make_workspace(const Application& application, const NewOptions& options)
 {
+    expect_folder(application, options);
     const fs::path root = options.folder;
     const std::vector<Exercise> exercises =
         options.units.empty() ? application.readable() : application.chosen(options.units);

@@ -70,6 +70,17 @@ TEST(HalfWrittenUnit, stops_only_what_needs_it)
     EXPECT_NE(course.complaint_about({"hlaf"}).find("there is no unit"), std::string::npos);
 }
 
+TEST(Units, are_told_from_folders)
+{
+    Course course;
+    const std::string folder = std::filesystem::temp_directory_path().string();
+    EXPECT_NE(course.complaint_about({"sphere", folder}).find("is a folder, not a unit"), std::string::npos);
+    for (const char* const line : {"new raytracing/sphere", "new sphere work"})
+        EXPECT_NE(printed_by(course, add_new, line).find("expected a folder for the workspace before the units"),
+                  std::string::npos)
+            << line;
+}
+
 TEST(Units, count_once_however_often_they_are_named)
 {
     const Course course;
