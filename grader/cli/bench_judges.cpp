@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "batch/crew.hpp"
+#include "bench/judges/resolutions.hpp"
 #include "bench/judges/results.hpp"
 #include "bench/judges/scene_pairs.hpp"
 #include "bench/judges/unit_pairs.hpp"
@@ -28,6 +30,7 @@ struct JudgesOptions {
     bool no_units = false;
     bool no_scenes = false;
     bool quick = false;
+    bool sizes = false;
 };
 
 /// A look of some seconds: one unit's pictures.
@@ -40,6 +43,24 @@ void shorten(JudgesOptions& options)
 void write(const std::string& file, const std::string& text)
 {
     if (!file.empty()) write_output(file, text);
+}
+
+/// Pixels on the side of most pictures; the thresholds were set on 256.
+constexpr std::array sides{64, 96, 128, 192, 256, 384, 512};
+
+/// The scenes in one size after the other.
+void bench_sizes(Application& application, const JudgesOptions& options)
+{
+    expect_writable(options.markdown);
+    std::vector<JudgedSize> sizes;
+    for (const int side : sides) {
+        const ScratchFolder scratch(std::filesystem::temp_directory_path() / "umbral-scenes");
+        draw_scenes(have_program(application, "umbral-bench-scenes"), scratch.path(), side);
+        sizes.push_back(judge_scenes(scratch.path(), side));
+    }
+    const std::string text = resolution_table(sizes);
+    fmt::print("{}", text);
+    write(options.markdown, text);
 }
 
 void bench_judges(Application& application, const JudgesOptions& options)
@@ -105,11 +126,14 @@ void add_bench_judges(Command bench, Application& application)
         .between(1, most_seeds)
         .with_default();
     command.option("--jobs", options->jobs, "How many at a time").between(1, most_jobs).with_default();
+    command.flag("--sizes", options->sizes,
+                 "Instead: what pictures of 64 to 512 pixels cost to judge, and which bugs they show");
     command.option("--markdown", options->markdown, "Write the tables to this file too").called("FILE");
     command.option("--json", options->json, "Write every pair's measures to this file").called("FILE");
     command.flag("--quick", options->quick,
                  "A look of some seconds: no scenes, and of the units the sphere, if no other is named");
     command.runs([&application, options] {
+        if (options->sizes) return bench_sizes(application, *options);
         if (options->quick) shorten(*options);
         bench_judges(application, *options);
     });

@@ -63,11 +63,14 @@ void by_hand(Variation& vary, Recorder& out)
         if (pixels.size() > 1) pixels.resize(pixels.size() + more);
         record_mean(out, pixels);
     }
-    // Black and white in turns, more of them than a byte can count.
-    std::vector<glm::u8vec3> many(300);
+    // Black and white in turns, more of them than a byte can count; and as many white ones as a picture of 265 x 265
+    // has, more than 16 bits can.
     const std::size_t step = vary.one_of(2, std::array{3, 4, 5, 7});
-    for (std::size_t i = 0; i < many.size(); i += step) many[i] = glm::u8vec3(255);
-    record_mean(out, many);
+    for (const std::size_t white : {150U, 70'000U}) {
+        std::vector<glm::u8vec3> many(white * step);
+        for (std::size_t i = 0; i < many.size(); i += step) many[i] = glm::u8vec3(255);
+        record_mean(out, many);
+    }
 }
 
 // All codes, and back again. The channels run against each other; varied, each of them begins elsewhere.
@@ -181,7 +184,12 @@ void bright(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
         std::vector<Lamp> lamps = random_lamps(random, 3);
-        for (Lamp& lamp : lamps) lamp.color *= std::pow(10.0F, random.uniform(0, 7));
+        // Each lamp by a factor of its own, or all of them by one: after a bright sum comes a dim one.
+        float factor = 1;
+        for (std::size_t k = 0; k < lamps.size(); ++k) {
+            if (k == 0 || i % 2 == 0) factor = std::pow(10.0F, i % 4 == 3 ? 0.0F : random.uniform(0, 7));
+            lamps[k].color *= factor;
+        }
         out.append("sums", ask<add_lights>(out, lamps));
     }
 }

@@ -70,17 +70,23 @@ void at_random(Random& random, Recorder& out)
         Question q = random_question(random, random_light_count(random));
         record(out, q);
         out.append("towards", ask<direction_to_light>(out, q.lights.front(), q.at.position));
-        if (i % 15 != 0) continue;
-        // The same but for one coordinate of the place or of the light, for whoever remembers what was asked before.
-        for (const bool moved : {true, false}) {
-            float& w = q.lights.front().position.w;
-            if (moved)
-                q.at.position[i / 15 % 3] += 0.125F;
-            else
-                w = 1 - w;
-            record(out, q);
-            out.append("towards", ask<direction_to_light>(out, q.lights.front(), q.at.position));
-        }
+        if (i % 5 != 0) continue;
+        // Then the same but for one thing or two, for whoever remembers what was asked before.
+        q.at.normal = random.unit_vector();
+        record(out, q);
+        float& w = q.lights.front().position.w;
+        if (i % 2 == 0)
+            q.at.position[i / 10 % 3] += 0.125F;
+        else
+            w = 1 - w;
+        record(out, q);
+        out.append("towards", ask<direction_to_light>(out, q.lights.front(), q.at.position));
+        if (i % 2 == 0)
+            q.material = random_partial_material(random);
+        else
+            q.lights.front().color = random_color(random);
+        q.global_ambient = random_color(random);
+        record(out, q);
     }
 }
 
@@ -138,6 +144,7 @@ void bright(Random& random, Recorder& out)
         Question q = random_question(random, 2);
         for (Light& light : q.lights) light.color *= std::pow(10.0F, random.uniform(0, 4));
         q.material.emission *= 20.0F;
+        q.global_ambient *= 20.0F;
         record(out, q);
     }
 }
@@ -165,18 +172,19 @@ void tiny_and_huge(Random& random, Recorder& out)
             Question q = random_question(random, 0);
             const glm::vec3 direction = q.at.normal + 0.5F * random.unit_vector();
             q.at.position = size * random.in_cube();
-            if (i % 3 == 0) q.at.normal *= size;
+            if (i % 3 != 1) q.at.normal *= size;
             q.lights = {light_towards(q.at, direction, i % 2 == 0, size)};
             record(out, q);
             out.append("towards", ask<direction_to_light>(out, q.lights[0], q.at.position));
         }
-    // Floats whose length is none.
-    for (int i = 0; i < 12; ++i) {
+    // Floats whose length is none; some are that far to both sides of the origin.
+    for (int i = 0; i < 16; ++i) {
         Question q = random_question(random, 0);
         glm::vec3 corner(0);
         for (int k = 0; k < 3; ++k) corner[k] = random.uniform(2e38F, 3.3e38F) * (random.below(2) == 0 ? 1.0F : -1.0F);
         q.at.normal = normalize(corner / 1e38F) + 0.5F * random.unit_vector();
         q.lights = {{glm::vec4(corner, static_cast<float>(i % 2)), glm::vec3(1)}};
+        if (i % 4 == 1) q.at.position = -0.75F * corner;
         record(out, q);
         out.append("towards", ask<direction_to_light>(out, q.lights[0], q.at.position));
     }

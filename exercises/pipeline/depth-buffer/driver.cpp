@@ -52,6 +52,8 @@ void record_formats(Variation& vary, Recorder& out)
                              vary.near(0.999F, 0.0008F),
                              vary.scaled(1e-3F, 2),
                              vary.scaled(4e-6F, 1.5F),
+                             vary.scaled(3e-8F, 3),
+                             vary.scaled(1e-25F, 100),
                              vary.near(-0.25F, 0.2F),
                              vary.near(1.75F, 0.5F),
                              vary.scaled(0.0099F, 2)};
@@ -116,9 +118,16 @@ struct Levels {
     }
 };
 
+// One time in four at an end, where depths lie beyond [0, 1] too: next to 0, or next to 1, as in a cleared buffer. (The
+// last codes of 24 bits are too close for floats.)
 Levels random_levels(Random& random, DepthFormat format)
 {
-    return {format, 1000 + random.below(format == DepthFormat::unorm16 ? 60'000 : 1'000'000)};
+    const std::uint32_t first = 1000 + random.below(format == DepthFormat::unorm16 ? 60'000 : 1'000'000);
+    const std::uint32_t end = random.below(8);
+    if (end == 0) return {format, 0};
+    if (end == 1 && format != DepthFormat::unorm24)
+        return {format, format == DepthFormat::unorm16 ? 65'535U : 16'777'215U};
+    return {format, first};
 }
 
 // A depth within two codes of the first one, never halfway between two.

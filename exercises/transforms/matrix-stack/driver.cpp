@@ -80,6 +80,7 @@ void record_two(Recorder& out, Random& random)
     }
 }
 
+// Each pop brings back exactly what was pushed, however much was composed since.
 void record_long_chains(Recorder& out, Random& random)
 {
     for (int chain = 0; chain < 3; ++chain) {
@@ -88,7 +89,13 @@ void record_long_chains(Recorder& out, Random& random)
         if (!stack) return;
         for (int i = 1; i <= 30'000; ++i) {
             ask<&MatrixStack::compose>(out, *stack, glm::rotate(glm::mat4(1), 1e-3F, axis));
-            if (i % 3000 == 0) out.append("modelview", ask<&MatrixStack::modelview>(out, *stack));
+            if (i % 3000 != 0) continue;
+            out.append("modelview", ask<&MatrixStack::modelview>(out, *stack));
+            ask<&MatrixStack::push>(out, *stack);
+        }
+        for (int i = 0; i < 10; ++i) {
+            ask<&MatrixStack::pop>(out, *stack);
+            out.append("modelview", ask<&MatrixStack::modelview>(out, *stack));
         }
     }
 }
@@ -157,7 +164,8 @@ const Driver driver = {
     {"by hand", [](Case& c, Recorder& out) { record_session(out, known_session(c.vary)); }},
     {"random",
      [](Case& c, Recorder& out) {
-         for (int i = 0; i < 20; ++i) record_session(out, random_session(c.random, 60));
+         for (int i = 0; i < 20; ++i)
+             record_session(out, random_session(c.random, 60, i % 2 == 0 ? Volume::any : Volume::kept));
      }},
     {"empty stack", [](Case& c, Recorder& out) { record_pops(out, c.random); }},
     {"deep", [](Case&, Recorder& out) { record_deep(out); }},

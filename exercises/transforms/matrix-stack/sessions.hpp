@@ -74,12 +74,16 @@ inline glm::mat4 rigid(Random& random)
     return glm::rotate(glm::translate(glm::mat4(1), place), angle, random.unit_vector());
 }
 
-/// Moves, turns, and stretches by half to double; every other one is a mirror.
-inline glm::mat4 random_map(Random& random)
+/// What a map does to volumes.
+enum class Volume { any, kept };
+
+/// Moves, turns, and stretches by half to double, or so that volumes stay; every other one is a mirror.
+inline glm::mat4 random_map(Random& random, Volume volume = Volume::any)
 {
     const glm::mat4 moved = rigid(random);
     glm::vec3 size;
-    for (int i = 0; i < 3; ++i) size[i] = random.uniform(0.5F, 2);
+    for (int i = 0; i < 3; ++i) size[i] = volume == Volume::any ? random.uniform(0.5F, 2) : random.uniform(0.7F, 1.4F);
+    if (volume == Volume::kept) size.z = 1 / (size.x * size.y);
     size.z *= random.below(2) == 0 ? 1.0F : -1.0F;
     return glm::scale(moved, size);
 }
@@ -98,7 +102,7 @@ inline std::vector<Step> known_session(Variation& vary)
             push(),
             compose(glm::scale(one, {by_quarters(vary, 2), 1, 1})),
             push(),
-            compose(glm::translate(one, by_quarters(vary, {1, 1, 1}))),
+            compose(glm::scale(one, {1, by_quarters(vary, 3), 1})),
             pop(),
             compose(glm::scale(one, {1, 1, -1})),
             pop(),
@@ -111,18 +115,21 @@ inline std::vector<Step> known_session(Variation& vary)
             pop()};
 }
 
-/// About `count` steps: matrices, pushes, pops that have something to pop, and now and then another frame. At most
-/// twelve matrices in a row.
-inline std::vector<Step> random_session(Random& random, int count)
+/// About `count` steps: matrices, pushes, pops that have something to pop, and now and then another frame; in every
+/// other frame the camera has not moved. At most twelve matrices in a row.
+inline std::vector<Step> random_session(Random& random, int count, Volume volume = Volume::any)
 {
     std::vector<Step> steps;
+    glm::mat4 view(1);
     int pushed = 0;
     int composed = 0;
     for (int i = 0; i < count; ++i) {
         const std::uint32_t kind = random.below(20);
-        const glm::mat4 matrix = random_map(random);
+        const glm::mat4 matrix = random_map(random, volume);
+        const bool camera_moves = random.below(2) == 0;
         if (kind == 0 || composed == 12) {
-            steps.push_back(set_view(matrix));
+            if (camera_moves) view = matrix;
+            steps.push_back(set_view(view));
             pushed = 0;
             composed = 0;
         } else if (kind < 9) {

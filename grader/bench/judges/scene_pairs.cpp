@@ -14,11 +14,12 @@
 
 namespace umbral::grader {
 
-void draw_scenes(const std::filesystem::path& program, const std::filesystem::path& folder)
+void draw_scenes(const std::filesystem::path& program, const std::filesystem::path& folder, int side)
 {
     std::string name = program.string();
     std::string target = folder.string();
-    std::array<char*, 3> words{name.data(), target.data(), nullptr};
+    std::string option = fmt::format("--size={}", side);
+    std::array<char*, 4> words{name.data(), target.data(), option.data(), nullptr};
     pid_t process = -1;
     int status = -1;
     if (const int failed = posix_spawn(&process, name.c_str(), nullptr, nullptr, words.data(), environ); failed != 0)
