@@ -109,9 +109,30 @@ inline ShadowTriangle triangle_across(const SurfaceSite& site, const glm::dvec3&
             glm::vec3(middle - radius * (0.5 * side + 0.9 * other + tilt))};
 }
 
-/// A pair: a point with an open way to the light, past two balls, and the same with a caster on it. Every second of
-/// those is a triangle. What stood in the way stands beside it, beyond the lamp or below the point where there is
-/// light. In the way of a sun it may be a mountain far away.
+/// A large ball whose surface a direction from the site crosses once on the way, this far away: the point lies within
+/// it, or what lies `beyond` does, that far behind the surface.
+inline ShadowBall ball_round_one_end(const SurfaceSite& site, const glm::dvec3& towards, double distance, double beyond,
+                                     bool round_the_point, Random& random)
+{
+    const double radius = (round_the_point ? distance : beyond) * (1.2 + random.uniform_double());
+    const double cosine = 0.85 + 0.15 * random.uniform_double();
+    const glm::dvec3 inward = (round_the_point ? -cosine : cosine) * towards +
+                              std::sqrt(1 - cosine * cosine) * perpendicular_to(towards, random);
+    return {glm::vec3(site.point + distance * towards + radius * inward), static_cast<float>(radius)};
+}
+
+/// What part of the way to the light lies before a triangle on it. Before lamps every second one is near to the end.
+inline double way_to_triangle(bool is_sun, Random& random)
+{
+    const double anywhere = 0.3 + 0.5 * random.uniform_double();
+    const double near_the_end = 1 - 0.1 * std::pow(10.0, -0.7 * random.uniform_double());
+    return is_sun || random.below(2) == 0 ? anywhere : near_the_end;
+}
+
+/// A pair: a point with an open way to the light, past two balls, and the same with a caster on it: a small ball, a
+/// triangle, or a large ball round the point or round the light. What stood in the way stands beside it, beyond the
+/// lamp or below the point where there is light, or is a ball round all of it. In the way of a sun it may be a mountain
+/// far away.
 inline void add_light_pair(std::vector<LightQuestion>& questions, const SurfaceSite& site, double sine, int kind,
                            Random& random)
 {
@@ -127,11 +148,17 @@ inline void add_light_pair(std::vector<LightQuestion>& questions, const SurfaceS
     LightQuestion dark = lit;
     const double radius = larger * site.size * (0.05 + 0.1 * random.uniform_double());
     const double distance = reach * (0.3 + 0.5 * random.uniform_double());
-    if (kind % 2 == 0)
+    const int form = kind % 5;
+    if (form == 0)
         dark.casters.balls.push_back(
             ball_beside(site, towards, distance, radius, 0.8 * random.uniform_double(), random));
+    else if (form % 2 == 0)
+        dark.casters.balls.push_back(ball_round_one_end(site, towards, distance, reach - distance, form == 2, random));
     else
-        dark.casters.triangles.push_back(triangle_across(site, towards, distance, radius, random));
+        dark.casters.triangles.push_back(
+            triangle_across(site, towards, reach * way_to_triangle(is_sun, random), radius, random));
+    if (!is_sun && form == 4)
+        lit.casters.balls.push_back({glm::vec3(site.point + 0.5 * reach * towards), static_cast<float>(reach)});
     if (!is_sun && kind % 4 < 2)
         lit.casters.balls.push_back(ball_beside(site, towards, 1.05 * reach + radius, radius, 0, random));
     else
