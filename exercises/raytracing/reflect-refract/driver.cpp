@@ -70,8 +70,13 @@ void record_random(Random& random, Recorder& out)
         record_mirrored(out, v, random.unit_vector());
         record_refracted(out, refracted_glance(random));
         auto [rare, dense] = random_indices(random);
-        // Media that are nearly the same, and media that have little in common.
-        if (i % 3 == 0) dense = rare * (1 + std::pow(10.0F, random.uniform(-3, 1)));
+        // Media that are nearly the same, and media that have little in common. Next to a power of two the quotient is
+        // exact: nothing is lost in float.
+        if (i % 3 == 0) dense = rare * (1 + std::pow(10.0F, random.uniform(-3, 2)));
+        if (i % 6 == 1) {
+            dense = std::exp2(static_cast<float>(random.below(3)));
+            rare = dense * (1 - std::exp2(random.uniform(-17, -7)));
+        }
         const bool comes_out = random.below(3) == 0;
         out.append("critical", ask<critical_angle>(out, comes_out ? rare : dense, comes_out ? dense : rare));
     }
@@ -112,7 +117,7 @@ void record_edges(Random& random, Recorder& out)
             case 4: add(near_surface, n, outside, inside); break;
             default: {
                 const glm::vec3 v = normalize(n + random.uniform(-1.5F, 1.5F) * across);
-                const float other = i / 18 % 2 == 0 ? dense : dense * random.uniform(1.001F, 1.01F);
+                const float other = i / 18 % 2 == 0 ? dense : dense * (1 + std::pow(10.0F, random.uniform(-4, -2)));
                 add(random.below(2) == 0 ? v : -v, n, dense, other);
             }
         }
@@ -121,7 +126,7 @@ void record_edges(Random& random, Recorder& out)
 }
 
 // The same directions with vectors of all lengths, both short, both long, or one of each; every third time hardly
-// longer or shorter than unit.
+// longer or shorter than unit. Some media are the same on both sides.
 void record_lengths(Random& random, Recorder& out)
 {
     const auto stretched = [&](const glm::vec3& v) {
@@ -132,6 +137,7 @@ void record_lengths(Random& random, Recorder& out)
     };
     for (int i = 0; i < 120; ++i) {
         SurfaceGlance glance = i % 3 == 0 ? total_glance(random) : refracted_glance(random);
+        if (i % 8 == 4) glance.inside = glance.outside;
         glance.v = stretched(glance.v);
         glance.n = stretched(glance.n);
         record_refracted(out, glance);
