@@ -54,6 +54,7 @@ void record_sphere(Variation& vary, Recorder& out)
 {
     for (const std::uint64_t k : {1U, 2U, 3U, 5U, 8U, 16U, 17U, 31U, 100U, 288U, 1024U})
         record(out, "voxels", ask<voxel_bytes>(out, varied(vary, k)));
+    record(out, "voxels", ask<voxel_bytes>(out, 2'097'152));  // the most that there may be: 2^63 bits
     for (const std::uint64_t k : {2U, 3U, 8U, 16U, 17U, 100U, 287U, 288U, 1024U})
         record(out, "mesh", ask<sphere_mesh_bytes>(out, varied(vary, k), usual_bytes(vary)));
     for (const auto& [vertex, index] : {std::pair{12U, 4U}, {24U, 4U}, {12U, 2U}, {1U, 1U}, {6U, 8U}, {44U, 4U}})
@@ -81,10 +82,19 @@ EntryBytes random_entries(Random& random)
     return bytes;
 }
 
+// Of all sizes that there are: small ones mostly, and one in three of up to 4096.
+EntryBytes entries_of_any_size(Random& random)
+{
+    EntryBytes bytes = random_entries(random);
+    for (std::uint64_t* const size : {&bytes.vertex, &bytes.index, &bytes.pointer})
+        if (random.below(3) == 0) *size = 1 + random.below(4096);
+    return bytes;
+}
+
 void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
-        const EntryBytes bytes = random_entries(random);
+        const EntryBytes bytes = entries_of_any_size(random);
         const std::uint64_t columns = 1 + random.below(5000);
         const std::uint64_t rows = 1 + random.below(5000);
         record(out, "sphere", ask<voxel_bytes>(out, columns));
@@ -95,17 +105,21 @@ void record_random(Random& random, Recorder& out)
     }
 }
 
-// Results of up to 63 bits, where doubles lie up to 1024 apart.
+// Results of up to 63 bits, where doubles lie up to 1024 apart; and the finest voxels that there may be.
 void record_large(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
         const EntryBytes bytes = random_entries(random);
-        const std::uint64_t k = 1'000'000 + random.below(1'000'000);
+        constexpr std::uint64_t most = 2'097'152;
+        const std::uint64_t k = i % 2 == 0 ? most : 1'000'000 + random.below(most - 1'000'000);
         record(out, "sizes", ask<voxel_bytes>(out, k));
         record(out, "sizes", ask<sphere_mesh_bytes>(out, k, bytes));
         const std::uint64_t columns = 50'000'000 + random.below(50'000'000);
         const std::uint64_t rows = 50'000'000 + random.below(50'000'000);
-        record(out, "sizes", ask<grid_counts>(out, columns, rows).edges);
+        const GridCounts counts = ask<grid_counts>(out, columns, rows);
+        for (const std::uint64_t count : {counts.vertices, counts.edges, counts.triangles}) record(out, "sizes", count);
+        const GridWork work = ask<grid_work>(out, columns, rows);
+        for (const std::uint64_t count : {work.isolated, work.indexed, work.strips}) record(out, "sizes", count);
         const GridBytes sizes = ask<grid_bytes>(out, columns, rows, bytes);
         for (const std::uint64_t value : {sizes.isolated, sizes.indexed, sizes.strips, sizes.indexed_strips})
             record(out, "sizes", value);
