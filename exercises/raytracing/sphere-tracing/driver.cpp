@@ -76,7 +76,7 @@ void sponge(Recorder& out, Random& random)
     }
 }
 
-// `length` is the direction's, a power of two: t is recorded in units of the world.
+// `length` is a power of two, in whose units t is recorded.
 void record(Recorder& out, const TraceShot& shot, float length = 1)
 {
     const auto found = ask<sphere_trace>(out, shot.ray, std::span<const DistanceFunction>(shot.bodies), shot.limits);
@@ -125,14 +125,18 @@ void traces_by_hand(Variation& vary, Recorder& out)
     record_sized({down, {ground(), half_space({0, 1, 0}, 0x1p-11F)}, {0x1p-10F, 64}});
 }
 
+// Every third time all lengths are a power of two times as large, the tolerance too; t is divided by it.
 void random_traces(Recorder& out, Random& random)
 {
     for (int i = 0; i < 300; ++i) {
-        const Balls all = random_balls(random, 1 + static_cast<int>(random.below(6)));
+        Balls all = random_balls(random, 1 + static_cast<int>(random.below(6)));
         Ray ray = clear_ray(all, random);
+        const float size = i % 3 == 0 ? std::ldexp(1.0F, static_cast<int>(random.below(21)) - 8) : 1;
+        for (glm::vec4& ball : all.balls) ball *= size;
+        ray.origin *= size;
         const float longer = i % 2 == 0 ? 1 : std::ldexp(1.0F, static_cast<int>(random.below(41)) - 20);
         ray.direction *= longer;
-        record(out, {ray, all.bodies(), {1e-4F, 400}}, longer);
+        record(out, {ray, all.bodies(), {1e-4F * size, 400}}, longer / size);
     }
 }
 
