@@ -96,14 +96,15 @@ void record_codes(Random& random, Recorder& out)
     }
 }
 
-// The states that matter beside the function.
-std::vector<DepthState> states()
+// The states that matter beside the function: all formats, and in any of them the mask off and the test disabled.
+std::vector<DepthState> states(Random& random)
 {
+    const auto format = [&] { return static_cast<DepthFormat>(random.below(3)); };
     return {{true, DepthFunction::less, true, DepthFormat::float32},
             {true, DepthFunction::less, true, DepthFormat::unorm16},
             {true, DepthFunction::less, true, DepthFormat::unorm24},
-            {true, DepthFunction::less, false, DepthFormat::float32},
-            {false, DepthFunction::less, true, DepthFormat::float32}};
+            {true, DepthFunction::less, false, format()},
+            {false, DepthFunction::less, random.below(2) == 0, format()}};
 }
 
 // Codes and what lies between them. 24 bits are wider than a float's steps only below 1/4.
@@ -138,12 +139,13 @@ float random_depth(Random& random, const Levels& levels)
 }
 
 // A buffer of codes that the format has, all close together, so that ties occur: as the unit itself keeps them, since
-// the last bit of these floats is free.
+// the last bit of these floats is free. Floats lie between codes, too.
 Grid<float> random_depths(Random& random, Recorder& out, const Levels& levels)
 {
     Grid<float> depths(tile_width, tile_height);
+    const double beside = levels.format == DepthFormat::float32 ? 0.3 : 0;
     for (float& depth : depths.cells)
-        depth = ask<stored_depth>(out, levels.format, levels.at(static_cast<double>(random.below(3)) - 1));
+        depth = ask<stored_depth>(out, levels.format, levels.at(static_cast<double>(random.below(3)) - 1 + beside));
     return depths;
 }
 
@@ -173,7 +175,7 @@ void put(Recorder& out, const Grid<float>& result, Grid<float>& into, int column
 // All functions in all states: which fragments are left, and what the buffers hold afterwards.
 void record_tests(Random& random, Recorder& out, int fragments_each)
 {
-    const std::vector<DepthState> all = states();
+    const std::vector<DepthState> all = states(random);
     Grid<float> after(functions * tile_width, static_cast<int>(all.size()) * tile_height);
     out.text("left.names", "call");
     for (std::size_t row = 0; row < all.size(); ++row)
@@ -212,7 +214,7 @@ glm::vec3 random_color(Random& random) { return 0.1F + 1.9F * glm::abs(random.in
 
 void record_drawing(Random& random, Recorder& out)
 {
-    const std::vector<DepthState> all = states();
+    const std::vector<DepthState> all = states(random);
     Grid<float> after(2 * tile_width, static_cast<int>(all.size()) * tile_height);
     out.text("colours.names", "picture");
     for (std::size_t row = 0; row < all.size(); ++row)
@@ -234,7 +236,7 @@ void record_drawing(Random& random, Recorder& out)
 
 void record_merging(Random& random, Recorder& out)
 {
-    const std::vector<DepthState> all = states();
+    const std::vector<DepthState> all = states(random);
     Grid<float> after(functions * tile_width, static_cast<int>(all.size()) * tile_height);
     out.text("colours.names", "call");
     for (std::size_t row = 0; row < all.size(); ++row)
