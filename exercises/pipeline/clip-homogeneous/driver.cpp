@@ -1,5 +1,6 @@
 #include <bit>
 #include <kit/magnitude.hpp>
+#include <limits>
 #include <map>
 #include <umbral/record/driver.hpp>
 
@@ -87,6 +88,35 @@ glm::vec4 random_corner(Random& random, float reach)
     return {reach * w * random.in_cube(), w};
 }
 
+/// Through all six sides of the volume: eight or nine corners are left.
+ClipTriangle through_all_sides(Random& random)
+{
+    const int axis = static_cast<int>(random.below(3));
+    ClipTriangle triangle{};
+    for (int k = 0; k < 3; ++k) {
+        const float w = std::exp2(random.uniform(-1, 2));
+        const glm::vec3 place = glm::vec3(-1.87F, 1.83F, 0.05F) + 0.02F * random.in_cube();
+        for (int i = 0; i < 3; ++i) triangle[static_cast<std::size_t>(k)][(axis + k + i) % 3] = w * place[i];
+        triangle[static_cast<std::size_t>(k)].w = w;
+    }
+    if (random.below(2) == 0)
+        for (glm::vec4& corner : triangle) corner.y = -corner.y;
+    return triangle;
+}
+
+/// Something for which the whole triangle gives nothing.
+void spoil(Random& random, glm::vec4& corner)
+{
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const int k = static_cast<int>(random.below(4));
+    switch (random.below(4)) {
+        case 0: corner[k] = std::numeric_limits<float>::quiet_NaN(); break;
+        case 1: corner[k] = -infinity; break;
+        case 2: corner[k] = infinity; break;
+        default: corner = glm::vec4(0);
+    }
+}
+
 std::vector<ClipTriangle> random_triangles(Random& random, int count)
 {
     std::vector<ClipTriangle> triangles;
@@ -94,18 +124,22 @@ std::vector<ClipTriangle> random_triangles(Random& random, int count)
         const glm::vec4 a = random_corner(random, 1);
         const glm::vec4 b = random_corner(random, 2);
         triangles.push_back({a, b, random_corner(random, i % 3 == 0 ? 3.0F : 1.5F)});
+        if (i % 12 == 5) triangles.back() = through_all_sides(random);
+        if (i % 12 == 8) spoil(random, triangles.back()[random.below(3)]);
         std::rotate(triangles.back().begin(), triangles.back().begin() + random.below(3), triangles.back().end());
     }
     return triangles;
 }
 
-// One corner before the camera, others behind it or, one time in four, exactly in its plane.
+// One corner before the camera, others behind it or, one time in four, exactly in its plane, there also on an axis.
 std::vector<ClipTriangle> behind(Random& random, int count)
 {
     std::vector<ClipTriangle> triangles;
     for (int i = 0; i < count; ++i) {
         const glm::vec4 front = random_corner(random, i % 4 == 0 ? 1.5F : 0.9F);
-        const glm::vec3 far_side = 3.0F * random.in_cube();
+        glm::vec3 far_side = 3.0F * random.in_cube();
+        if (i % 8 == 1) far_side[static_cast<int>(random.below(3))] = 0;
+        if (i % 16 == 1) far_side = {0, 0, far_side.z == 0 ? 1.0F : far_side.z};
         const glm::vec4 back(far_side, i % 4 == 1 ? 0 : random.uniform(-3, -0.1F));
         const glm::vec3 third = 3.0F * random.in_cube();
         triangles.push_back({front, back, glm::vec4(third, random.uniform(-3, 3))});
