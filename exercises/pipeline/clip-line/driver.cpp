@@ -157,15 +157,18 @@ ClipWindow random_window(Random& random)
     return {middle - random.uniform(0.25F, 1), middle + random.uniform(0.25F, 1)};
 }
 
+// One time in four along an axis.
 glm::vec2 direction(Random& random)
 {
+    const std::uint32_t axis = random.below(16);
     const float turn = random.uniform(0, 6.2831853F);
+    if (axis < 4) return (axis % 2 == 0 ? 1.0F : -1.0F) * (axis < 2 ? glm::vec2(1, 0) : glm::vec2(0, 1));
     return {std::cos(turn), std::sin(turn)};
 }
 
 // A segment through the inner part of the window, and one with no point in it that no code rejects at once, as long as
-// `reach` windows or less.
-void add_random_pair(std::vector<Task>& tasks, Random& random, float reach)
+// `reach` windows or less, in a unit from 2^smallest to 2^largest.
+void add_random_pair(std::vector<Task>& tasks, Random& random, float reach, int smallest, int largest)
 {
     const ClipWindow window = random_window(random);
     const glm::vec2 half = 0.5F * (window.high - window.low);
@@ -173,7 +176,11 @@ void add_random_pair(std::vector<Task>& tasks, Random& random, float reach)
     const glm::vec2 through = middle + 0.8F * half * glm::vec2(random.in_cube());
     const glm::vec2 along = direction(random);
     const float back = random.below(3) == 0 ? 0 : reach * random.uniform();
-    const LineSegment hit{through - back * along, through + reach * random.uniform() * along};
+    LineSegment hit{through - back * along, through + reach * random.uniform() * along};
+    // Sometimes a point, in the window or on its border.
+    const std::uint32_t place = random.below(40);
+    const glm::vec2 border(place % 2 == 0 ? window.low.x : window.high.x, through.y);
+    if (place < 3) hit = place < 2 ? LineSegment{border, border} : LineSegment{through, through};
 
     const glm::vec2 quadrant(random.below(2) == 0 ? 1 : -1, random.below(2) == 0 ? 1 : -1);
     const glm::vec2 past = middle + random.uniform(1.15F, 1.6F) * half * quadrant;
@@ -182,14 +189,14 @@ void add_random_pair(std::vector<Task>& tasks, Random& random, float reach)
     const float before = reach * random.uniform(0.2F, 1);
     const LineSegment miss{past - before * aside, past + reach * random.uniform(0.2F, 1) * aside};
     const bool turned = random.below(2) == 0;
-    const float unit = random_unit(random, -26, 12);
+    const float unit = random_unit(random, smallest, largest);
     add_pair(tasks, {window, hit, unit}, {window, turned ? LineSegment{miss.to, miss.from} : miss, unit}, random);
 }
 
-std::vector<Task> random_pairs(Random& random, int count, float reach)
+std::vector<Task> random_pairs(Random& random, int count, float reach, int smallest = -26, int largest = 12)
 {
     std::vector<Task> tasks;
-    for (int i = 0; i < count; ++i) add_random_pair(tasks, random, reach);
+    for (int i = 0; i < count; ++i) add_random_pair(tasks, random, reach, smallest, largest);
     return tasks;
 }
 
@@ -254,7 +261,7 @@ const Driver driver = {
     {"borders", [](Case& c, Recorder& out) { record(out, varied(c.vary, borders())); }},
     {"random", [](Case& c, Recorder& out) { record_pairs(out, random_pairs(c.random, 400, 6)); }},
     {"both ways", [](Case& c, Recorder& out) { record_both_ways(c.random, out); }},
-    {"long", [](Case& c, Recorder& out) { record_pairs(out, random_pairs(c.random, 300, 5e5F)); }},
+    {"long", [](Case& c, Recorder& out) { record_pairs(out, random_pairs(c.random, 300, 5e5F, -90, 90)); }},
     {"corners", [](Case& c, Recorder& out) { record_pairs(out, corner_pairs(c.random, 300)); }},
     {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_chords(out, c.vary)); }},
 };
