@@ -97,24 +97,27 @@ Amount amount_of(const std::variant<WingedMesh, NotWinged>& result, Amount amoun
     return amount.in_any_order(edges);
 }
 
-/// Work on meshes of four sizes: rings of quadrilaterals' triangles, and double cones, where two vertices have very
-/// many edges.
+/// Work on meshes of four sizes: rings of quadrilaterals' triangles, double cones, where two vertices have very many
+/// edges, and prisms, where two faces have.
 void record_work(Recorder& out)
 {
     for (const std::uint32_t size : {6U, 9U, 13U, 20U}) {
         const PolygonMesh ring = polygons_of(torus(2 * size, size));
         const PolygonMesh cone = double_cone(2 * size * size);
+        const PolygonMesh column = prism(2 * size * size);
         record_cost(out, "building", ring.faces.size(), [&] {
-            const auto of_ring = ask<winged_edges>(out, ring);
-            return amount_of(of_ring, amount_of(ask<winged_edges>(out, cone), {}));
+            Amount amount;
+            for (const PolygonMesh& mesh : {ring, cone, column})
+                amount = amount_of(ask<winged_edges>(out, mesh), amount);
+            return amount;
         });
-        const WingedMesh tables[] = {tables_of(ring), tables_of(cone)};
+        const WingedMesh tables[] = {tables_of(ring), tables_of(cone), tables_of(column)};
         ask_in_words(out, [&] {
             return "// faces_round_face(tables, face) for each face, and vertices_round_vertex(tables, vertex) for "
                    "each\n"
                    "// vertex, of a torus of " +
                    std::to_string(2 * size) + " x " + std::to_string(size) +
-                   " quadrilaterals and of a double cone of " + std::to_string(2 * size * size) + " sides";
+                   " quadrilaterals, and of a double cone and a prism of " + std::to_string(2 * size * size) + " sides";
         });
         record_cost(out, "asking", ring.faces.size(), [&] {
             std::vector<glm::uvec2> neighbours;
@@ -212,10 +215,13 @@ const Driver driver = {
     {"no bodies",
      [](Case& c, Recorder& out) {
          const std::vector<PolygonMesh> good = bodies();
+         std::vector<PolygonMesh> bad = no_bodies();
+         const std::vector<PolygonMesh> more = more_faults(c.random);
+         bad.insert(bad.end(), more.begin(), more.end());
          std::size_t i = 0;
-         for (const PolygonMesh& bad : in_random_order(c.vary, no_bodies())) {
-             const std::vector<PolygonMesh> pair{shuffled(good[i++ % good.size()], c.random), shuffled(bad, c.vary)};
-             for (const PolygonMesh& mesh : in_random_order(c.random, pair)) record_fault(out, mesh);
+         for (const PolygonMesh& mesh : in_random_order(c.vary, bad)) {
+             const std::vector<PolygonMesh> pair{shuffled(good[i++ % good.size()], c.random), shuffled(mesh, c.vary)};
+             for (const PolygonMesh& one : in_random_order(c.random, pair)) record_fault(out, one);
          }
      }},
     {"questions",

@@ -143,6 +143,7 @@ inline std::vector<PolygonMesh> no_bodies()
     changed([](PolygonMesh& mesh) { mesh.faces.insert(mesh.faces.begin() + 2, std::vector<std::uint32_t>{}); });
     changed([](PolygonMesh& mesh) { mesh.faces[4] = {3, 4}; });
     changed([](PolygonMesh& mesh) { mesh.faces[1].push_back(mesh.faces[1][0]); });
+    changed([](PolygonMesh& mesh) { mesh.faces[5][3] = mesh.faces[5][1]; });
     changed([](PolygonMesh& mesh) { mesh.faces[6][2] = 10; });
     changed([](PolygonMesh& mesh) { mesh.faces[0][1] = 4294967295U; });
     changed([](PolygonMesh& mesh) { mesh.faces.push_back(mesh.faces[3]); });
@@ -152,6 +153,54 @@ inline std::vector<PolygonMesh> no_bodies()
     for (auto& face : bag.faces) std::ranges::replace(face, last, 0U);
     bag.positions.pop_back();
     meshes.push_back(bag);
+    return meshes;
+}
+
+/// Both, the second one's vertices behind the first one's.
+inline PolygonMesh joined(PolygonMesh first, const PolygonMesh& second)
+{
+    const auto count = static_cast<std::uint32_t>(first.positions.size());
+    first.positions.insert(first.positions.end(), second.positions.begin(), second.positions.end());
+    for (std::vector<std::uint32_t> face : second.faces) {
+        for (std::uint32_t& corner : face) corner += count;
+        first.faces.push_back(face);
+    }
+    return first;
+}
+
+/// Two bodies that share a vertex, any one of each.
+inline PolygonMesh sharing_a_vertex(const PolygonMesh& first, const PolygonMesh& second, Random& random)
+{
+    PolygonMesh mesh = joined(shuffled(first, random), shuffled(second, random));
+    const auto last = static_cast<std::uint32_t>(mesh.positions.size()) - 1;
+    for (auto& face : mesh.faces) std::ranges::replace(face, last, 0U);
+    mesh.positions.pop_back();
+    return mesh;
+}
+
+/// Each two kinds of faults in one mesh, of which only the first is to be reported, and bodies that share a vertex. The
+/// order of the pieces, vertices and faces says nothing. What is looked for late comes more often.
+inline std::vector<PolygonMesh> more_faults(Random& random)
+{
+    PolygonMesh names_twice = prism(5);
+    names_twice.faces[5][3] = names_twice.faces[5][1];
+    PolygonMesh turned = prism(5);
+    std::ranges::reverse(turned.faces[2]);
+    const std::array kinds{names_twice,
+                           polygons_of(cubes_at_an_edge()),
+                           polygons_of(disc(6)),
+                           turned,
+                           polygons_of(with_lonely_vertices(octahedron(), 2)),
+                           polygons_of(cubes_at_a_corner())};
+    std::vector<PolygonMesh> meshes;
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        for (std::size_t k = i; k < kinds.size(); ++k)
+            for (std::size_t round = 0; round < 1 + i / 2; ++round)
+                meshes.push_back(shuffled(joined(kinds[i], kinds[k]), random));
+    const std::array wholes{polygons_of(octahedron()), prism(6), double_cone(5), polygons_of(torus(5, 4))};
+    for (std::size_t i = 0; i < wholes.size(); ++i)
+        for (std::size_t k = i; k < wholes.size(); k += 2)
+            meshes.push_back(shuffled(sharing_a_vertex(wholes[i], wholes[k], random), random));
     return meshes;
 }
 
