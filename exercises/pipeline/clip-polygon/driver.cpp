@@ -177,14 +177,36 @@ std::vector<Task> borders()
     };
 }
 
+/// A corner twice in a row: somewhere, or the first one at the end again, as where outlines are closed so.
+void repeat_a_corner(Random& random, Polygon& polygon)
+{
+    const std::uint32_t i = random.below(2 * static_cast<std::uint32_t>(polygon.size()));
+    if (i >= polygon.size())
+        polygon.push_back(polygon.front());
+    else
+        polygon.insert(polygon.begin() + i, polygon[i]);
+}
+
+/// A number for which nothing is left.
+void spoil(Random& random, Polygon& polygon)
+{
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const std::array nonsense{std::numeric_limits<float>::quiet_NaN(), infinity, -infinity};
+    glm::vec2& corner = polygon[random.below(static_cast<std::uint32_t>(polygon.size()))];
+    corner[static_cast<int>(random.below(2))] = nonsense[random.below(3)];
+}
+
 std::vector<Task> random_tasks(Random& random, int count, bool with_concave)
 {
     std::vector<Task> tasks;
     for (int i = 0; i < count; ++i) {
         const bool rough = with_concave && i % 2 == 0;
         Polygon polygon = random_polygon(random, 3 + random.below(rough ? 9 : 5), rough ? 1.0F : 0.0F);
+        if (i % 12 == 3) polygon = times(polygon, 0.15F);  // inside, mostly
+        if (i % 6 == 3) repeat_a_corner(random, polygon);
         const std::uint32_t sides = 3 + random.below(i % 8 == 7 ? 14 : 5);
         tasks.push_back({std::move(polygon), random_window(random, sides), random_unit(random, -24, 12)});
+        if (i % 12 == 5) spoil(random, i % 24 == 5 ? tasks.back().polygon : tasks.back().window);
     }
     return tasks;
 }
@@ -204,7 +226,8 @@ std::vector<Task> far_tasks(Random& random, int count)
         };
         const glm::vec2 one = away(turn);
         const glm::vec2 other = away(turn + 3.1415927F);
-        tasks.push_back({{one, other, away(turn + random.uniform(0.5F, 2.6F))}, window});
+        const glm::vec2 third = away(turn + random.uniform(0.5F, 2.6F));
+        tasks.push_back({{one, other, third}, window, random_unit(random, -80, 90)});
     }
     return tasks;
 }
