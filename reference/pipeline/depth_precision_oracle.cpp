@@ -60,7 +60,7 @@ double eye_depth(const DepthRange& range, std::uint32_t code, int bits)
     const Wide part = (range.reversed ? last - Wide(code) : Wide(code)) / last;
     const Wide n = range.near_plane;
     const Wide n_over_f = std::isinf(range.far_plane) ? Wide(0) : n / Wide(range.far_plane);
-    return static_cast<double>(n / ((1 - n_over_f) * part - 1));
+    return static_cast<double>(-n / (1 - (1 - n_over_f) * part));
 }
 
 double depth_resolution(const DepthRange& range, DepthFormat format, double z_eye)

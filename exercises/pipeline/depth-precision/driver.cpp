@@ -91,12 +91,15 @@ struct Camera {
     int bits;
 };
 
-/// One in five without a far plane; 1 to 32 bits.
-Camera random_camera(Random& random)
+/// One in five without a far plane, one in ten with planes close together; 1 to 32 bits; lengths in any unit. Other far
+/// planes are up to 2^`most` times as far as near ones.
+Camera random_camera(Random& random, double most = 16)
 {
-    const double n = std::exp2(-20 + 28 * random.uniform_double());
-    const double range = random.below(5) == 0 ? 40 : 1 + 15 * random.uniform_double();
-    const double f = range == 40 ? infinity : n * std::exp2(range);
+    const double n = std::exp2(-40 + 60 * random.uniform_double());
+    const std::uint32_t kind = random.below(10);
+    const double part = random.uniform_double();
+    const double range = kind < 2 ? 40 : kind == 2 ? std::exp2(-1 - 7 * part) : 1 + (most - 1) * part;
+    const double f = kind < 2 ? infinity : n * std::exp2(range);
     const double distance = n * std::exp2(range * (0.02 + 0.96 * random.uniform_double()));
     const bool reversed = random.below(2) == 0;
     return {{n, f, reversed}, distance, 1 + static_cast<int>(random.below(32))};
@@ -134,8 +137,9 @@ void record_resolution(Random& random, Recorder& out)
     for (const double distance : {1.0, 10.0, 100.0, 300.0}) all(0.2, 400, distance);
     // Depths 1/2, 1/4, …, where the steps of floats change.
     for (const double distance : {1.25, 2.0, 4.0, 64.0}) all(1, infinity, distance);
+    // Depths so close to 1 that they are none of a float's.
     for (int i = 0; i < 60; ++i) {
-        const Camera camera = random_camera(random);
+        const Camera camera = random_camera(random, i % 2 == 0 ? 16 : 40);
         all(camera.range.near_plane, camera.range.far_plane, camera.distance);
     }
 }
@@ -172,7 +176,8 @@ void record_fighting(Random& random, Recorder& out)
     }
 }
 
-// Far planes up to 1e14 times as far as near ones, points next to the planes, gaps that dwarf what the buffer resolves.
+// Far planes up to 1e14 times as far as near ones or hardly farther, points next to the planes, gaps that dwarf what
+// the buffer resolves.
 void record_extremes(Random& random, Recorder& out)
 {
     for (int i = 0; i < 120; ++i) {
@@ -181,8 +186,12 @@ void record_extremes(Random& random, Recorder& out)
         const double beside = std::pow(10, -1 - 9 * random.uniform_double());
         out.append("near", ask<window_depth>(out, {n, f}, -n * (1 + beside)));
         out.append("far", ask<window_depth>(out, {n, f, true}, std::isinf(f) ? -n / beside : -f * (1 - beside)));
-        const std::uint32_t steps = random.below(1000);
-        append_eye(out, ask<eye_depth>(out, {n, f}, 4294967294U - steps, 32));
+        const double close = n * (1 + std::pow(10, -2 - 6 * random.uniform_double()));
+        const double between = n + random.uniform_double() * (close - n);
+        out.append("near", ask<window_depth>(out, {n, close}, -between));
+        out.append("far", ask<window_depth>(out, {n, close, true}, -between));
+        const std::uint32_t steps = random.below(4) == 0 ? 0 : random.below(1000);
+        append_eye(out, ask<eye_depth>(out, {n, f}, 4294967295U - steps, 32));
         append_eye(out, ask<eye_depth>(out, {n, f}, random.below(4294967295U), 32));
         append(out, "begin",
                ask<fighting_distance>(out, {n, infinity}, 16, n * std::pow(10, 5 + 4 * random.uniform_double())));
