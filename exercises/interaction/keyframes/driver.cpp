@@ -38,7 +38,7 @@ void record_random_turns(Recorder& out, Random& random)
     for (int i = 0; i < 400; ++i) {
         const UnitQuaternion from = random_orientation(random);
         const UnitQuaternion to = random_orientation(random);
-        record_slerp(out, from, to, i % 8 == 0 ? static_cast<float>(i % 16 / 8) : random.uniform());
+        record_slerp(out, from, to, random_part(random, i));
     }
 }
 
@@ -185,11 +185,13 @@ void record_odd_times(Recorder& out, Random& random)
             out.append("place", glm::vec3(ask<&BouncingBall::position>(out, *ball)));
         }
     }
-    // Steep throws, looked at in the air after one long call, or only when an hour has gone by in one.
+    // Steep throws, looked at in the air after one long call, in which some have met the floor and kept all of their
+    // speed, or only when an hour has gone by in one.
     for (int i = 0; i < 12; ++i) {
-        const auto ball = ask_new<make_bouncing_ball>(out, "ball", random_throw(random));
+        const bool keeps_all = i % 4 == 2;
+        const auto ball = ask_new<make_bouncing_ball>(out, "ball", random_throw(random, keeps_all));
         if (!ball) continue;
-        const std::int64_t in_the_air = 260'000 + std::int64_t{random.below(150'000)};
+        const std::int64_t in_the_air = (keeps_all ? 1'500'000 : 260'000) + std::int64_t{random.below(150'000)};
         ask<&BouncingBall::advance>(out, *ball, i % 2 == 0 ? in_the_air : 3'600'000'000);
         out.append("place", glm::vec3(ask<&BouncingBall::position>(out, *ball)));
     }
@@ -269,8 +271,7 @@ void record_skin(Recorder& out, Random& random)
         const TwoBoneSkeleton skeleton = random_skeleton(random);
         const SkeletonPose pose = random_skeleton_pose(random);
         const glm::vec3 rest = skeleton.shoulder + 2.0F * random.in_cube();
-        const float weight = i % 4 == 0 ? static_cast<float>(i % 8 / 4) : random.uniform();
-        out.append("point", ask<skinned_point>(out, skeleton, pose, rest, weight));
+        out.append("point", ask<skinned_point>(out, skeleton, pose, rest, random_part(random, i)));
     }
 }
 

@@ -77,6 +77,14 @@ inline std::vector<KeyFrame> varied(Variation& vary, std::vector<KeyFrame> frame
     return frames;
 }
 
+/// A part from 0 to 1: every eighth time an end, and as often hardly beside one.
+inline float random_part(Random& random, int i)
+{
+    const auto end = static_cast<float>(i % 16 / 8);
+    if (i % 8 == 0) return end;
+    return i % 8 == 4 ? std::abs(end - std::pow(10.0F, random.uniform(-4, -1.5F))) : random.uniform();
+}
+
 /// Key frames at random times, now and then two at one time: a cut. One list of three is as quick as microseconds, or
 /// takes minutes.
 inline std::vector<KeyFrame> random_frames(Random& random, std::uint32_t count)
@@ -122,14 +130,15 @@ inline BallLaunch random_launch(Random& random)
     return launch;
 }
 
-/// A ball thrown straight up, which comes down after half a second or later, and soon lies still.
-inline BallLaunch random_throw(Random& random)
+/// A ball thrown straight up, which comes down after half a second or later. Where it does not keep all of its speed it
+/// soon lies still.
+inline BallLaunch random_throw(Random& random, bool keeps_all)
 {
     BallLaunch launch;
     launch.position = glm::dvec3(2.0F * random.in_cube());
     launch.position.y = 0.5 + random.uniform_double();
     launch.velocity.y = 2 + random.uniform_double();
-    launch.bounce = 0.5 * random.uniform_double();
+    launch.bounce = keeps_all ? 1 : 0.5 * random.uniform_double();
     return launch;
 }
 
