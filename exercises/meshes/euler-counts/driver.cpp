@@ -62,10 +62,32 @@ void record_random(Random& random, Recorder& out)
     }
 }
 
+// Two meshes that share one vertex of each, wherever these lie: inside, or on a rim.
+IndexedMesh glued(const IndexedMesh& first, const IndexedMesh& second, Random& random)
+{
+    IndexedMesh mesh = joined(first, second);
+    const auto here = random.below(static_cast<std::uint32_t>(first.positions.size()));
+    const auto there = static_cast<std::uint32_t>(first.positions.size()) +
+                       random.below(static_cast<std::uint32_t>(second.positions.size()));
+    for (glm::uvec3& t : mesh.triangles)
+        for (int corner = 0; corner < 3; ++corner)
+            if (t[corner] == there) t[corner] = here;
+    return mesh;
+}
+
+// A closed surface, with a rim where a triangle was.
+IndexedMesh opened(IndexedMesh mesh, Random& random)
+{
+    mesh.triangles.erase(mesh.triangles.begin() + random.below(static_cast<std::uint32_t>(mesh.triangles.size())));
+    return mesh;
+}
+
 // In pairs: a surface that has a genus, and one that has none for a single reason.
 void record_genera(Random& random, Recorder& out)
 {
-    const std::vector<Sample> tame = tame_meshes();
+    std::vector<Sample> tame = tame_meshes();
+    tame.push_back({"torus with a hole", opened(torus(6, 4), random)});
+    tame.push_back({"plate with two holes, cut open", opened(plate_with_holes(2), random)});
     for (std::uint32_t round = 0; round < 4; ++round) {
         const std::vector<IndexedMesh> without = {moebius(5 + round),  klein_bottle(4 + round, 5),
                                                   projective_plane(),  book(3 + round),
@@ -79,6 +101,11 @@ void record_genera(Random& random, Recorder& out)
         };
         for (const IndexedMesh& mesh : without) record_pair(shuffled(mesh, random));
         record_pair(with_one_twice(mixture(tame, random), random));
+        for (int i = 0; i < 4; ++i) {
+            const IndexedMesh closed = i % 2 == 0 ? ball(5, 4) : cube();
+            const IndexedMesh open = i < 2 ? disc(6 + round) : flat_sheet(3, 3);
+            record_pair(shuffled(glued(closed, open, random), random));
+        }
     }
 }
 
