@@ -75,6 +75,14 @@ void record_seam(Recorder& out, const Profile& profile, std::uint32_t copies)
     record_vertices(out, surface, places);
 }
 
+/// Of a surface of very many vertices, the triangles that have one of the last twenty.
+void record_last_triangles(Recorder& out, const TexturedMesh& surface, std::size_t vertices)
+{
+    std::vector<glm::uvec3> triangles = surface.mesh.triangles;
+    std::erase_if(triangles, [&](const glm::uvec3& t) { return std::max({t.x, t.y, t.z}) + 20 < vertices; });
+    record_indices(out, "triangles", 1, triangles, 40);
+}
+
 void record_many(Random& random, Recorder& out)
 {
     // Very many copies, of which some are looked at: where errors that add up are largest, and at the quarters of the
@@ -87,13 +95,18 @@ void record_many(Random& random, Recorder& out)
         for (const std::uint32_t quarter : {1U, 2U, 3U, 4U})
             places.push_back(2 * std::size_t{copies - 1} * quarter / 4 + 1);
         record_vertices(out, surface, places);
+        record_last_triangles(out, surface, 2 * std::size_t{copies});
     }
+    // Long profiles, in units from very small to very large ones.
     for (const std::uint32_t points : {1000U, 10'000U, 50'000U}) {
         const Profile profile = long_profile(points, random);
-        const TexturedMesh surface = ask<revolve>(out, profile, 4);
+        const float unit = random_unit(random, -90, 90);
+        TexturedMesh surface = ask<revolve>(out, times(profile, unit), 4);
+        for (glm::vec3& position : surface.mesh.positions) position /= unit;
         Places places;
         for (std::uint32_t k = 0; k < 200; ++k) places.push_back(points + std::size_t{points - 1} * k / 199);
         record_vertices(out, surface, places);
+        record_last_triangles(out, surface, 4 * std::size_t{points});
     }
 }
 
@@ -137,6 +150,7 @@ const Driver driver = {
          record_written(c, out, {{0, 0}, {1, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 1}}, 6);
          record_written(c, out, {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 3}, {1, 2}}, 8);
          record_written(c, out, {{1, 0}, {2, 0}, {1, 0}}, 5);
+         record_written(c, out, {{1, 0}, {2, 0}, {2, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 1}, {1, 1}}, 5);
          // Folds: sums of 2^-16 and 2^-24, on either side of the shortest that has a direction.
          record_written(c, out, {{1, 0}, {2, 0}, {1, 0x1p-16F}}, 5);
          record_written(c, out, {{1, 0}, {2, 0}, {1, 0x1p-24F}}, 5);
@@ -149,7 +163,11 @@ const Driver driver = {
          for (const std::uint32_t copies : {4U, 5U, 8U, 13U, 50U, 1000U, 4096U})
              record_seam(out, some_profile(c.random), copies);
      }},
-    {"many", [](Case& c, Recorder& out) { record_many(c.random, out); }},
+    {"many",
+     [](Case& c, Recorder& out) {
+         record_many(c.random, out);
+         out.text("triangles.names", "1 triangle at one of the last twenty vertices\n");
+     }},
     {"refused", [](Case& c, Recorder& out) { record_attempts(c, out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("surfaces", picture(out, c.vary)); }},
 };
