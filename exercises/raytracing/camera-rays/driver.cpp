@@ -1,4 +1,5 @@
 #include <kit/picture.hpp>
+#include <tuple>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -101,11 +102,14 @@ PrimaryCamera steep_camera(Random& random, int axis)
     return camera;
 }
 
-// What is up: of any length, oblique, and nearly along the view.
+// What is up: of any length, oblique, and nearly along the view. Every fourth camera is the one before, rolled.
 void record_up(Random& random, Recorder& out)
 {
+    PrimaryCamera before;
     for (int i = 0; i < 80; ++i) {
         PrimaryCamera camera = random_camera(random, 3.0F * random.in_cube(), 2);
+        if (i % 4 == 1) std::tie(camera.eye, camera.target) = std::tie(before.eye, before.target);
+        before = camera;
         const glm::dvec3 view = normalize(glm::dvec3(camera.target) - glm::dvec3(camera.eye));
         const double side = random.below(2) == 0 ? 1 : -1;
         const double lean = i % 2 == 0 ? random.uniform(0.05F, 0.3F) : 1.0;

@@ -11,8 +11,8 @@
 /// down: pixel (x, y) covers x to x + 1 and y to y + 1, and its centre is (x + 1/2, y + 1/2).
 namespace umbral::raytracing {
 
-/// A camera at `eye` that looks at `target` in perspective, so that `up` appears vertical. `up` is of any length and at
-/// any angle with the view but 0; eye and target differ.
+/// A camera at `eye` that looks at `target` in perspective, so that `up` appears vertical. `up` has a length from 1e-12
+/// to 1e12, and any angle with the view but 0; eye and target differ.
 struct PrimaryCamera {
     glm::vec3 eye{0};
     glm::vec3 target{0, 0, -1};
