@@ -2,6 +2,7 @@
 #include <stdexcept>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
+#include <utility>
 
 #include "scene.hpp"
 
@@ -81,13 +82,19 @@ Grid<glm::vec4> brighter(Grid<glm::vec4> texture)
     return texture;
 }
 
-// Up to three times round in both directions. The last texture has the first one's size: see random_inside.
+// Up to three times round in both directions. The last texture has the first one's size: see random_inside. Halfway
+// they are painted over, so that a copy shows which was made of a texture when it was first asked for.
 void outside(Random& random, Recorder& out, Wrap wrap)
 {
-    const Textures textures = {random_texture(random, 8, 8), brighter(random_texture(random, 6, 10)),
-                               random_texture(random, 8, 8)};
+    Textures textures = {random_texture(random, 8, 8), brighter(random_texture(random, 6, 10)),
+                         random_texture(random, 8, 8)};
     std::vector<Query> queries;
     for (int i = 0; i < 300; ++i) {
+        if (i == 150) {
+            record(out, textures, std::exchange(queries, {}));
+            for (Grid<glm::vec4>& texture : textures)
+                for (glm::vec4& texel : texture.cells) texel = glm::vec4(texel.y, texel.z, texel.w, texel.x);
+        }
         const std::size_t texture = random.below(3);
         const Sampler sampler{both_filters[random.below(2)], wrap, wrap};
         const auto coordinate = [&](int count) { return inside_texel(random, count, 3); };
@@ -97,13 +104,14 @@ void outside(Random& random, Recorder& out, Wrap wrap)
     record(out, textures, queries);
 }
 
-// Exactly on borders between texels, and on those of the texture: sizes are powers of two, so that these are floats.
+// Exactly on borders between texels, and on those of the texture, once round to both sides: sizes are powers of two, so
+// that these are floats.
 void on_borders(Random& random, Recorder& out)
 {
     const Textures textures = {random_texture(random, 8, 4)};
     std::vector<Query> queries;
-    for (int i = 0; i <= 8; ++i)
-        for (int j = 0; j <= 4; ++j)
+    for (int i = -8; i <= 8; ++i)
+        for (int j = -4; j <= 4; ++j)
             for (const Wrap wrap : both_wraps)
                 queries.push_back({0,
                                    {both_filters[random.below(2)], wrap, wrap},
@@ -189,7 +197,7 @@ void without_texels(Random& random, Recorder& out)
 }
 
 // A long way from 0 the fraction has few bits left, and a product with the size has none to spare; just below 0 it
-// rounds up to 1.
+// rounds up to 1. The largest have no fraction left, and no int holds them.
 void far_out(Random& random, Recorder& out)
 {
     const Textures textures = {random_texture(random, 256, 256), random_texture(random, 300, 77)};
@@ -198,7 +206,10 @@ void far_out(Random& random, Recorder& out)
         const Sampler sampler{both_filters[random.below(2)], Wrap::repeat, Wrap::repeat};
         glm::vec2 uv(0);
         for (int axis = 0; axis < 2; ++axis) {
-            const float size = std::pow(10.0F, i % 6 == 0 ? random.uniform(-30, -9) : random.uniform(2, 6));
+            const float power = i % 6 == 0   ? random.uniform(-30, -9)
+                                : i % 6 == 1 ? random.uniform(7, 12)
+                                             : random.uniform(2, 6);
+            const float size = std::pow(10.0F, power);
             uv[axis] = (random.below(2) == 0 ? -size : size);
         }
         queries.push_back({random.below(2), sampler, uv});
