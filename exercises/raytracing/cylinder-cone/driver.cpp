@@ -48,23 +48,28 @@ void record_fields(Random& random, Recorder& out)
 }
 
 // Where the interval (t_min, t_max) decides. Of the first three kinds both points are taken out of one of the rays, of
-// the last only the first: the other counts.
+// the fourth only the first: the other counts. Of the last both lie behind the origin, within the interval of one.
 std::vector<Ray> behind_and_before(Quadric quadric, Random& random)
 {
     std::vector<Ray> rays;
-    for (int i = 0; i < 160; ++i) {
+    for (int i = 0; i < 200; ++i) {
         const Chord both = chord(quadric, height_on(quadric, random), height_on(quadric, random), random);
         const Ray hit = along(both, -0.5 - random.uniform_double());
         const float entry = distance(hit.origin, glm::vec3(both.entry));
         const float exit = distance(hit.origin, glm::vec3(both.exit));
         Ray kept = hit;
         Ray miss = hit;
-        switch (i % 4) {
+        switch (i % 5) {
             case 0: miss.direction = -miss.direction; break;
             case 1: miss.t_min = 1.01F * exit; break;
             case 2:
                 miss.t_max = 0.99F * entry;
                 kept.t_max = 1.01F * entry;
+                break;
+            case 3:
+                kept.direction = -kept.direction;
+                kept.t_min = miss.t_min = -endless;
+                kept.t_max = miss.t_max = 0;
                 break;
             default:
                 kept.t_min = 0.5F * (entry + exit);
