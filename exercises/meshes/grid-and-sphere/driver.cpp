@@ -72,12 +72,17 @@ std::vector<Shape> varied(Variation& vary, std::vector<Shape> shapes)
     return shapes;
 }
 
+/// In pairs of the same kind that have as many vertices and triangles as each other, but lie the other way.
 std::vector<Shape> random_shapes(Random& random)
 {
     std::vector<Shape> shapes;
-    for (int i = 0; i < 10; ++i) {
+    for (int i = 0; i < 6; ++i) {
+        const bool sphere = i % 2 == 0;
         const std::uint32_t columns = 3 + random.below(12);
-        shapes.push_back({i % 2 == 0, columns, 2 + random.below(9)});
+        const std::uint32_t rows = 3 + random.below(9);
+        const std::uint32_t more = sphere ? 1 : 0;
+        shapes.push_back({sphere, columns, rows + more});
+        shapes.push_back({sphere, rows, columns + more});
     }
     return shapes;
 }
@@ -103,8 +108,22 @@ void record_sizes(Random& random, Recorder& out)
     }
 }
 
+/// Bytes on the surface of a ball whose rows 16 bits do not count.
+void record_large_ball(Random& random, Recorder& out)
+{
+    const std::uint32_t k = 260 + random.below(60);
+    const std::vector<std::uint8_t> bytes = ask<make_voxel_sphere>(out, k);
+    for (int i = 0; i < 300; ++i) {
+        const glm::dvec3 place = static_cast<double>(k) * (0.5 + 0.5 * glm::dvec3(random.unit_vector()));
+        const glm::uvec3 cell = min(glm::uvec3(place), glm::uvec3(k - 1));
+        const std::size_t byte = (cell.x + std::size_t{k} * (cell.y + std::size_t{k} * cell.z)) / 8;
+        out.append("bytes of a large ball", byte < bytes.size() ? std::optional<float>(bytes[byte]) : std::nullopt);
+    }
+}
+
 void record_voxels(Variation& vary, Recorder& out)
 {
+    out.columns("sizes", "bytes, last byte");
     std::vector sides{1U, 2U, 3U, 4U, 5U, 8U, 11U, 16U, 20U};
     if (vary) {
         sides = in_random_order(vary, std::vector{6U, 7U, 9U, 10U, 12U, 13U, 14U, 15U, 17U, 18U, 19U});
@@ -112,7 +131,7 @@ void record_voxels(Variation& vary, Recorder& out)
     }
     for (const std::uint32_t k : sides) {
         const std::vector<std::uint8_t> bytes = ask<make_voxel_sphere>(out, k);
-        out.append("sizes", static_cast<float>(bytes.size()));
+        out.append("sizes", glm::vec2(bytes.size(), bytes.empty() ? NAN : bytes.back()));
         for (std::size_t i = 0; i < (k * k * k + 7) / 8; ++i)
             out.append("bytes", i < bytes.size() ? std::optional<float>(bytes[i]) : std::nullopt);
     }
@@ -221,7 +240,11 @@ const Driver driver = {
          record_shapes(out, random_shapes(c.random), {{false, 1000, 70}, {true, 12, 6000}});
      }},
     {"sizes", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
-    {"voxels", [](Case& c, Recorder& out) { record_voxels(c.vary, out); }},
+    {"voxels",
+     [](Case& c, Recorder& out) {
+         record_voxels(c.vary, out);
+         record_large_ball(c.random, out);
+     }},
     {"border", [](Case& c, Recorder& out) { record_border(c.random, out); }},
     {"fine", [](Case& c, Recorder& out) { record_fine(c.random, out); }},
     {"work", [](Case&, Recorder& out) { record_work(out); }},
