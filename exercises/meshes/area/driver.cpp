@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 #include <umbral/meshes/area.hpp>
 #include <umbral/record/ask.hpp>
@@ -54,12 +55,24 @@ void record_known(Variation& vary, Recorder& out)
     record_varied(course_example());
 }
 
+/// Each triangle that is drawn comes again, from either side: whoever counts a triangle once has too little.
+IndexedMesh with_some_twice(IndexedMesh mesh, Random& random)
+{
+    for (std::size_t left = mesh.triangles.size() / 20; left > 0; --left) {
+        const glm::uvec3 t = mesh.triangles[random.below(static_cast<std::uint32_t>(mesh.triangles.size()))];
+        mesh.triangles.push_back(random.below(2) == 0 ? t : glm::uvec3(t.y, t.x, t.z));
+    }
+    return mesh;
+}
+
+// From small units to large ones, powers of two, though none in which the square of an area leaves float's range.
 void record_random(Random& random, Variation& vary, Recorder& out)
 {
-    for (int i = 0; i < 6; ++i) {
-        IndexedMesh mesh = hills(9, 7, random);
+    for (int i = 0; i < 8; ++i) {
+        IndexedMesh mesh = with_some_twice(hills(9, 7, random), random);
         turn(mesh, random);
-        record(out, shuffled(mesh, random));
+        const float unit = std::exp2(static_cast<float>(6 * i - 24 + static_cast<int>(random.below(7))));
+        record(out, mapped(shuffled(mesh, random), [&](const glm::vec3& position) { return unit * position; }));
     }
     record(out, varied(vary, trefoil(30, 7, 0.4)));
 }
@@ -76,7 +89,7 @@ void record_degenerate(Random& random, Recorder& out)
         mesh.positions.insert(mesh.positions.end(),
                               {mesh.positions[4], 2.0F * mesh.positions[1] - mesh.positions[0], {9, 9, 9}});
         mesh.triangles.insert(mesh.triangles.end(), {{3, 3, 5}, {4, first, 7}, {0, 1, first + 1}, {2, 2, 2}});
-        if (i % 2 == 0) mesh.positions[random.below(9)][i / 2 % 3] = broken[i / 2 % 3];
+        if (i < 9) mesh.positions[random.below(9)][i / 3] = broken[i % 3];
         record(out, mesh);
     }
     out.append("meshes", ask<surface_area>(out, IndexedMesh{}));
