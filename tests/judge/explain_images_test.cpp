@@ -153,6 +153,27 @@ TEST(ExplainImages, the_factor_is_told)
     EXPECT_NE(found.front().sentence.find("about 0.5 times"), std::string::npos) << found.front().sentence;
 }
 
+TEST(ExplainImages, a_factor_near_one_is_not_rounded_away_from_it)
+{
+    const Tensor brighter = each_colour(balls(), [](double v) { return 1.44 * v; });
+    EXPECT_NE(told(brighter, balls()).find("about 1.44 times"), std::string::npos) << told(brighter, balls());
+}
+
+TEST(ExplainImages, one_alpha_everywhere_says_as_much_as_several)
+{
+    const auto with_alpha = [](int alpha) {
+        return repaint(balls(), [=](int x, int y) { return Colour(glm::u8vec3(pixel(scene(), x, y)), alpha); });
+    };
+    for (const int alpha : {0, 128}) {
+        const auto found = explain(image, with_alpha(alpha), balls());
+        ASSERT_FALSE(found.empty()) << alpha;
+        EXPECT_GE(found.front().confidence, 0.9) << alpha;
+        EXPECT_NE(found.front().sentence.find("an opaque pixel has alpha 255"), std::string::npos);
+    }
+    EXPECT_EQ(told(balls(), with_alpha(128)).find("opaque pixel"), std::string::npos)
+        << "where the expected picture is not opaque, that would be wrong: " << told(balls(), with_alpha(128));
+}
+
 TEST(ExplainImages, unrelated_errors_have_no_explanation)
 {
     const Tensor right = balls();

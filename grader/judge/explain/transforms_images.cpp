@@ -9,6 +9,7 @@
 #include "judge/explain/transforms.hpp"
 #include "judge/explain/transforms_tone.hpp"
 #include "judge/judges.hpp"
+#include "judge/picture/offset_text.hpp"
 #include "judge/rows/tensor_view.hpp"
 
 namespace umbral::grader {
@@ -81,6 +82,18 @@ Result restore_alpha(const Check& check, const Tensor& student, const Tensor& ex
                      [](std::span<double> pixel, std::span<const double> target) { pixel[3] = target[3]; });
 }
 
+std::string describe_alpha(const Check& check, const Tensor& student, const Tensor& expected)
+{
+    const TensorView yours(student);
+    const TensorView target(expected);
+    const double opaque = is_real(expected.element) ? check.range_high : 255;
+    for (std::size_t cell = 0; cell < target.cells(); ++cell)
+        if (yours.cell(cell)[3] != target.cell(cell)[3] && target.cell(cell)[3] != opaque)
+            return "Your colours are right; only the alpha differs: look at the fourth component that you write, and "
+                   "at how blending changes it.";
+    return "Your colours are right; only the alpha differs: an opaque pixel has alpha 255 (1.0 in a shader).";
+}
+
 struct Shift {
     int x = 0;
     int y = 0;
@@ -142,18 +155,10 @@ Result unshift(const Check& check, const Tensor& student, const Tensor& expected
 std::string describe_shift(const Check&, const Tensor& student, const Tensor& expected)
 {
     const Shift shift = best_shift(student, expected);
-    std::string where;
-    const auto add = [&where](int by, const char* positive, const char* negative) {
-        if (by == 0) return;
-        where += (where.empty() ? "" : " and ") +
-                 fmt::format("{} pixel{} {}", std::abs(by), std::abs(by) == 1 ? "" : "s", by > 0 ? positive : negative);
-    };
-    add(shift.x, "to the right", "to the left");
-    add(shift.y, "down", "up");
     return fmt::format(
         "Your picture is the expected one moved by {}: look at the pixel centres (x + 0.5) and at where rounding "
         "happens.",
-        where);
+        offset_text(shift.x, shift.y));
 }
 
 // Depth counted from the other end: 1 - z, -z, or mirrored in the expected range; infinite cells stay.
@@ -201,9 +206,7 @@ Result shift_ids(const Check& check, const Tensor& student, const Tensor& expect
 std::vector<NamedTransform> image_transforms()
 {
     std::vector<NamedTransform> all = {
-        {"alpha only",
-         "Your colours are right; only the alpha differs: an opaque pixel has alpha 255 (1.0 in a shader).",
-         restore_alpha},
+        {"alpha only", "Your colours are right; only the alpha differs.", restore_alpha, describe_alpha, -20},
         {"flipped vertically",
          "Your picture is upside down: row 0 is the top one here, while OpenGL counts from the bottom.",
          flip_vertically},

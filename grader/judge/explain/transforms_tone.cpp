@@ -123,13 +123,16 @@ Result rescale_light(const Check& check, const Tensor& student, const Tensor& ex
     return recognise(check, student, expected, [f = *factor](double v) { return f * v; });
 }
 
+// 1.06 must not read as 1.1, which is almost twice as far from 1.
+std::string factor_text(double factor) { return fmt::format("{:.{}g}", factor, std::abs(factor) < 1 ? 2 : 3); }
+
 std::string describe_light(const Check& check, const Tensor& student, const Tensor& expected)
 {
     const auto factor = light_factor(check, student, expected);
     return factor ? fmt::format(
-                        "Your picture has about {:.2g} times the expected light: a constant factor is missing or too "
+                        "Your picture has about {} times the expected light: a constant factor is missing or too "
                         "much (pi, 2, the number of lights).",
-                        *factor)
+                        factor_text(*factor))
                   : std::string{};
 }
 
@@ -169,12 +172,11 @@ Result undo_power(const Check& check, const Tensor& student, const Tensor& expec
 std::string describe_power(const Check& check, const Tensor& student, const Tensor& expected)
 {
     const auto power = light_power(check, student, expected);
-    return power
-               ? fmt::format(
-                     "Your picture has the expected levels to the power of {:.2g}: too {} in its middle tones, as by a "
-                     "gamma that is used once too often or left out.",
-                     *power, *power < 1 ? "bright" : "dark")
-               : std::string{};
+    return power ? fmt::format(
+                       "Your picture has the expected levels to the power of {}: too {} in its middle tones, as by a "
+                       "gamma that is used once too often or left out.",
+                       factor_text(*power), *power < 1 ? "bright" : "dark")
+                 : std::string{};
 }
 
 struct Line {
@@ -219,9 +221,9 @@ std::string describe_line(const Check& check, const Tensor& student, const Tenso
 {
     const auto line = light_line(check, student, expected);
     return line ? fmt::format(
-                      "Your picture has {:.2g} times the expected levels {} {:.2g} (of 1): look for a change of range, "
+                      "Your picture has {} times the expected levels {} {:.2g} (of 1): look for a change of range, "
                       "such as x / 2 + 1 / 2, that is missing or too much.",
-                      line->factor, line->offset < 0 ? "minus" : "plus", std::abs(line->offset))
+                      factor_text(line->factor), line->offset < 0 ? "minus" : "plus", std::abs(line->offset))
                 : std::string{};
 }
 

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
 
+#include "judge/image/complaint.hpp"
 #include "judge/image/rule.hpp"
 #include "judge/picture/image_difference.hpp"
 #include "judge/picture/image_metrics.hpp"
@@ -14,37 +14,6 @@
 
 namespace umbral::grader {
 namespace {
-
-std::string complaint(const ImageRule& rule)
-{
-    // What is wrong everywhere is the thing to say; a single spot only where the rest is right.
-    const auto everywhere = std::max_element(rule.ratios.begin(), rule.ratios.begin() + 4);
-    const auto worst = *everywhere > 1 ? everywhere : std::max_element(rule.ratios.begin(), rule.ratios.end());
-    switch (worst - rule.ratios.begin()) {
-        case 0:
-            return fmt::format("{:.3g} % of the picture's content has no similar pixel next to its place",
-                               100 * rule.edge_share);
-        case 1: return fmt::format("{:.3g} % of the smooth surfaces have another colour", 100 * rule.interior_share);
-        case 2:
-            return fmt::format("the picture is too {} by {:.3g} levels of 255 on average",
-                               rule.bias > 0 ? "bright" : "dark", std::abs(rule.bias));
-        case 4:
-            return fmt::format("{} wrong pixels lie close together at ({}, {}): a hole, a crack, or something too much",
-                               rule.cluster.count, rule.cluster.x + window_side / 2, rule.cluster.y + window_side / 2);
-        case 5:
-            return fmt::format("round pixel ({}, {}) the surface is too {} by {:.3g} levels of 255",
-                               rule.surface.x + window_side / 2, rule.surface.y + window_side / 2,
-                               rule.surface.difference > 0 ? "bright" : "dark", std::abs(rule.surface.difference));
-        case 6:
-            return fmt::format(
-                "edges lie {:.2g} pixels to the right and {:.2g} down (negative: left, up): look at the sampling "
-                "point, the pixel's centre",
-                rule.displacement.x, rule.displacement.y);
-        default:
-            return fmt::format("everything is shifted: {} pixel(s) to the right and {} down (negative: left, up)",
-                               rule.shift_x, rule.shift_y);
-    }
-}
 
 std::string pixel_text(const Tensor& picture, int x, int y)
 {

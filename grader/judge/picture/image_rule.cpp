@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <glm/glm.hpp>
-#include <numeric>
 
 #include "judge/explain/thresholds.hpp"
 #include "judge/picture/image_edges.hpp"
@@ -56,10 +55,14 @@ Bytes smooth_part(const Picture& picture)
     return smooth;
 }
 
-// What edge pixels that changed hands, which (a) forgives, add to the sum of a channel's differences: nothing as long
-// as it is within three standard deviations of what chance gives. A line drawn too wide changes them all one way, and
-// goes far beyond.
-double chance_of_edges(const Picture& student, const Picture& expected, int channel,
+struct EdgeSums {
+    double all = 0;        ///< what edge pixels that changed hands add to the sum of a channel's differences …
+    double by_chance = 0;  ///< … and how much of it chance explains
+};
+
+// What edge pixels that changed hands, which (a) forgives, add: nothing as long as it is within three standard
+// deviations of what chance gives. A line drawn too wide changes them all one way, and goes far beyond.
+EdgeSums sums_of_edges(const Picture& student, const Picture& expected, int channel,
                        const std::vector<glm::ivec2>& forgiven)
 {
     double sum = 0;
@@ -69,7 +72,7 @@ double chance_of_edges(const Picture& student, const Picture& expected, int chan
         sum += moved;
         squares += moved * moved;
     }
-    return std::copysign(std::min(std::abs(sum), 3 * std::sqrt(squares)), sum);
+    return {sum, std::copysign(std::min(std::abs(sum), 3 * std::sqrt(squares)), sum)};
 }
 
 // (c): the mean difference of the worst colour channel, and the mean level of the expected content.
@@ -95,11 +98,49 @@ void measure_bias(const Picture& student, const Picture& expected, const Bytes& 
             sum += row_sum;
             light += row_light;
         }
-        const double bias = (static_cast<double>(sum) - chance_of_edges(student, expected, c, forgiven)) / area;
-        if (std::abs(bias) > std::abs(rule.bias)) rule.bias = bias;
+        const EdgeSums edges = sums_of_edges(student, expected, c, forgiven);
+        const double difference = static_cast<double>(sum) - edges.by_chance;
+        if (const double bias = difference / area; std::abs(bias) > std::abs(rule.bias)) {
+            rule.bias = bias;
+            rule.places.bias_at_edges = 2 * (edges.all - edges.by_chance) / difference > 1;
+            rule.places.edge_bias = edges.all / static_cast<double>(std::max<std::size_t>(forgiven.size(), 1));
+        }
         level += static_cast<double>(light) / area / expected.colours();
     }
     rule.ratios[2] = std::abs(rule.bias) / std::max(thresholds::bias_levels, thresholds::bias_share * level);
+}
+
+// Does the background cover more than half of the border?
+bool is_plain_border(const Bytes& content, std::size_t width, std::size_t height)
+{
+    std::size_t drawn = 0;
+    for (std::size_t x = 0; x < width; ++x) drawn += content[x] + content[(height - 1) * width + x];
+    for (std::size_t y = 0; y < height; ++y) drawn += content[y * width] + content[(y + 1) * width - 1];
+    return drawn < width + height;
+}
+
+WrongPixels wrong_pixels(const Bytes& marks, const Bytes& content)
+{
+    std::size_t all = 0;
+    std::size_t inside = 0;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        all += marks[i];
+        inside += static_cast<std::size_t>(marks[i] & content[i]);
+    }
+    return {static_cast<double>(all), static_cast<double>(all - inside)};
+}
+
+// What the wrong pixels of (e) are; `drawn` is the content of the student's picture.
+void look_into_cluster(const Bytes& errors, const Bytes& content, const Bytes& drawn, const Picture& expected,
+                       ImageRule& rule)
+{
+    for (int y = rule.cluster.y; y < std::min(expected.height, rule.cluster.y + window_side); ++y)
+        for (int x = rule.cluster.x; x < std::min(expected.width, rule.cluster.x + window_side); ++x) {
+            const std::size_t at =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(expected.width) + static_cast<std::size_t>(x);
+            rule.places.cluster_holes += errors[at] & content[at] & (drawn[at] ^ 1);
+            rule.places.cluster_extra += errors[at] & (content[at] ^ 1);
+        }
 }
 
 // Sum of differences if the expected picture is moved by (dx, dy), each -1, 0 or 1; beyond the edge lies the repeated
@@ -191,7 +232,8 @@ ImageRule apply_image_rule(const Picture& student, const Picture& expected)
     const Bytes content = content_of(expected, background, thresholds::background_levels);
     // Of the student's picture only what noise cannot lift off the background: else just the pixels that noise made
     // brighter would count.
-    Bytes either = content_of(student, background, thresholds::interior_levels);
+    const Bytes drawn = content_of(student, background, thresholds::interior_levels);
+    Bytes either = drawn;
     std::size_t expected_count = 0;
     std::size_t either_count = 0;
     for (std::size_t i = 0; i < content.size(); ++i) {
@@ -206,10 +248,12 @@ ImageRule apply_image_rule(const Picture& student, const Picture& expected)
     const double area =
         static_cast<double>(expected_count > 0 ? expected_count : std::max<std::size_t>(either_count, 1));
     const Bytes errors = edge_errors(student, expected, difference);
-    rule.edge_share = static_cast<double>(std::accumulate(errors.begin(), errors.end(), std::size_t{0})) / area;
+    rule.places.edges = wrong_pixels(errors, content);
+    rule.edge_share = rule.places.edges.all / area;
     rule.ratios[0] = rule.edge_share / thresholds::edge_share;
     rule.cluster = densest_window(errors, expected.width, expected.height);
     rule.ratios[4] = rule.cluster.count / thresholds::cluster_pixels;
+    look_into_cluster(errors, content, drawn, expected, rule);
 
     std::vector<glm::ivec2> forgiven;
     if (rule.ratios[0] <= 1)
@@ -222,16 +266,21 @@ ImageRule apply_image_rule(const Picture& student, const Picture& expected)
 
     const Bytes smooth = smooth_part(expected);
     std::size_t interior = 0;
-    std::size_t wrong = 0;
+    Bytes recoloured(content.size());
     for (std::size_t i = 0; i < content.size(); ++i) {
         interior += static_cast<std::size_t>(smooth[i] & content[i]);
-        wrong += smooth[i] != 0 && difference[i] > thresholds::interior_levels ? 1U : 0U;
+        recoloured[i] = static_cast<std::uint8_t>(smooth[i] & (difference[i] > thresholds::interior_levels ? 1 : 0));
     }
+    rule.places.interior = wrong_pixels(recoloured, content);
     rule.interior_share =
-        static_cast<double>(wrong) / std::max(static_cast<double>(interior), thresholds::smooth_floor * area);
+        rule.places.interior.all / std::max(static_cast<double>(interior), thresholds::smooth_floor * area);
     rule.ratios[1] = rule.interior_share / thresholds::interior_share;
 
     measure_bias(student, expected, either, content, area, forgiven, rule);
+    rule.places.bias = rule.bias * area / static_cast<double>(std::max<std::size_t>(either_count, 1));
+    rule.places.background = static_cast<double>(content.size()) - rule.content;
+    rule.places.is_plain = is_plain_border(content, static_cast<std::size_t>(expected.width),
+                                           content.size() / static_cast<std::size_t>(expected.width));
     find_shift(student, expected, area, rule);
     if (rule.everywhere() >= thresholds::window_ratio) return rule;
     Bytes surface(smooth.size());

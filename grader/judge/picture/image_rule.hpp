@@ -8,6 +8,25 @@
 
 namespace umbral::grader {
 
+/// Wrong pixels: all, and those where the expected picture shows its background.
+struct WrongPixels {
+    double all = 0;
+    double outside = 0;
+};
+
+/// Where what the combined rule measured lies: for what is said about it; it decides nothing.
+struct ImagePlaces {
+    double background = 0;       ///< pixels where the expected picture shows its background
+    bool is_plain = false;       ///< its background covers most of its border: else it may be any surface
+    WrongPixels edges;           ///< those of (a)
+    WrongPixels interior;        ///< those of (b)
+    double bias = 0;             ///< (c), as the mean over all that either picture draws, in levels
+    double edge_bias = 0;        ///< mean difference of the edge pixels that (a) forgives, in the channel of (c)
+    bool bias_at_edges = false;  ///< most of (c) is theirs
+    int cluster_holes = 0;       ///< of the pixels of (e), those where yours shows the background …
+    int cluster_extra = 0;       ///< … and those where it alone draws something
+};
+
 /// What the combined rule measured: seven ratios of a measure to its threshold (thresholds.hpp); the picture passes if
 /// none exceeds 1.
 ///
@@ -24,6 +43,7 @@ struct ImageRule {
     LevelWindow surface;    ///< (f) where a smooth surface has another mean level: a highlight, a lamp or a shadow
     Displacement displacement;  ///< (g) by which part of a pixel edges are displaced: another sampling point
     double content = 0;         ///< number of pixels of the expected content
+    ImagePlaces places;         ///< where all that lies
     /// In the order (a) to (g). (f) and (g) stay 0 where the others have cost more already than these two can.
     std::array<double, 7> ratios{};
 
