@@ -94,6 +94,9 @@ std::vector<Task> concave()
         {{{4, -4}, {12, -4}, {12, 4.5F}, {6, 4}, {6, 3}, {10, 3}, {10, -2}, {5, -2}, {4.5F, 2}, {3.5F, 2}}, square},
         {{{4, 11}, {3, 5}, {-3, 5.5F}, {2, 3}, {1, -3}, {4.5F, 2}, {8, -2}, {6, 3.25F}, {11, 5}, {5, 5.25F}}, square},
         {{{-2, 6}, {-2, -2}, {6, -2}, {3, 3}, {1, -1}, {-1, 1}, {3.5F, 3.5F}}, triangle},
+        // Notches that end on a side of the window: that corner stays, though both beside it lie outside.
+        {{{4, 1}, {12, 1}, {8, 4}, {12, 7}, {4, 7}}, square},
+        {{{1, 3}, {7, 3}, {7, 11}, {5, 8}, {4, 11}, {3, 8}, {1, 12}}, square},
     };
     Polygon window = square;
     for (std::size_t first = 0; first < window.size(); ++first) {
