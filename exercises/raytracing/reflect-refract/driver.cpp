@@ -68,7 +68,11 @@ void record_random(Random& random, Recorder& out)
     for (int i = 0; i < 300; ++i) {
         const glm::vec3 v = random.unit_vector();
         record_mirrored(out, v, random.unit_vector());
-        record_refracted(out, refracted_glance(random));
+        SurfaceGlance glance = refracted_glance(random);
+        // Every sixth time the media are hardly different.
+        const float hardly = std::pow(10.0F, random.uniform(-4, -2)) * (random.below(2) == 0 ? 1.0F : -1.0F);
+        if (i % 6 == 0) glance.inside = glance.outside * (1 + hardly);
+        record_refracted(out, glance);
         auto [rare, dense] = random_indices(random);
         // Media that are nearly the same, and media that have little in common. Next to a power of two the quotient is
         // exact: nothing is lost in float.
