@@ -178,4 +178,37 @@ inline Shine shine_without_direction(Random& random, bool at_eye)
     return shine;
 }
 
+/// The same but for one thing, for whoever remembers what was asked before: another eye; a lamp beside it, as cameras
+/// have; another normal; and all of it as much as 2^24 times as small or large.
+inline std::array<Shine, 4> changed_one_by_one(Random& random, Shine shine)
+{
+    std::array<Shine, 4> all;
+    const glm::vec3 v = normalize(shine.eye - shine.at.position);
+    shine.eye = shine.at.position + random.uniform(1, 6) * round_about(random, v, random.uniform(0.8F, 0.95F));
+    all[0] = shine;
+    shine.lights.back().position = glm::vec4(shine.eye, 1);
+    all[1] = shine;
+    shine.at.normal = normalize(shine.at.normal + 0.5F * random.unit_vector());
+    all[2] = shine;
+    const float size = std::ldexp(1.0F, static_cast<int>(random.below(49)) - 24);
+    shine.at.position *= size;
+    shine.eye *= size;
+    for (Light& light : shine.lights) light.position *= glm::vec4(glm::vec3(size), 1);
+    all[3] = shine;
+    return all;
+}
+
+/// A sharp highlight among other light. The lamp is near, and the eye nearer: both have most of their digits.
+inline Shine sharp_shine(Random& random, bool is_place)
+{
+    const Glance glance = random_glance(random, 200, 10'000, 1);
+    Shine shine = random_shine(random);
+    shine.at.normal = glance.normal;
+    shine.material.shininess = glance.e;
+    shine.material.specular = random_color(random);
+    shine.lights = {light_towards(shine.at, glance.l, is_place, random.uniform(0.5F, 4))};
+    shine.eye = shine.at.position + random.uniform(0.5F, 4) * glance.v;
+    return shine;
+}
+
 }

@@ -41,24 +41,6 @@ void by_hand(Variation& vary, Recorder& out)
     for (const Shine& shine : shines_by_hand(vary, 4)) record(out, shine);
 }
 
-// The same but for one thing, for whoever remembers what was asked before: another eye; a lamp beside it, as cameras
-// have; another normal; and all of it as much as 2^24 times as small or large.
-void record_again(Random& random, Recorder& out, Shine shine)
-{
-    const glm::vec3 v = normalize(shine.eye - shine.at.position);
-    shine.eye = shine.at.position + random.uniform(1, 6) * round_about(random, v, random.uniform(0.8F, 0.95F));
-    record(out, shine);
-    shine.lights.back().position = glm::vec4(shine.eye, 1);
-    record(out, shine);
-    shine.at.normal = normalize(shine.at.normal + 0.5F * random.unit_vector());
-    record(out, shine);
-    const float size = std::ldexp(1.0F, static_cast<int>(random.below(49)) - 24);
-    shine.at.position *= size;
-    shine.eye *= size;
-    for (Light& light : shine.lights) light.position *= glm::vec4(glm::vec3(size), 1);
-    record(out, shine);
-}
-
 void at_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
@@ -67,7 +49,8 @@ void at_random(Random& random, Recorder& out)
         record(out, random_glance(random, 1, 40));
         const Shine shine = random_shine(random);
         record(out, shine);
-        if (i % 5 == 0) record_again(random, out, shine);
+        if (i % 5 != 0) continue;
+        for (const Shine& changed : changed_one_by_one(random, shine)) record(out, changed);
     }
 }
 
@@ -175,17 +158,7 @@ void sharp(Random& random, Recorder& out)
         glance.v *= random.uniform(0.5F, 4);
         record(out, glance);
     }
-    // The same among other light. The lamp is near, and the eye nearer: both have most of their digits.
-    for (int i = 0; i < 60; ++i) {
-        const Glance glance = random_glance(random, 200, 10'000, 1);
-        Shine shine = random_shine(random);
-        shine.at.normal = glance.normal;
-        shine.material.shininess = glance.e;
-        shine.material.specular = random_color(random);
-        shine.lights = {light_towards(shine.at, glance.l, i % 2 == 0, random.uniform(0.5F, 4))};
-        shine.eye = shine.at.position + random.uniform(0.5F, 4) * glance.v;
-        record(out, shine);
-    }
+    for (int i = 0; i < 60; ++i) record(out, sharp_shine(random, i % 2 == 0));
 }
 
 }
