@@ -97,10 +97,10 @@ void record_many(Random& random, Recorder& out)
         record_vertices(out, surface, places);
         record_last_triangles(out, surface, 2 * std::size_t{copies});
     }
-    // Long profiles, in units from very small to very large ones.
-    for (const std::uint32_t points : {1000U, 10'000U, 50'000U}) {
+    // Long profiles: tiny, as usual, and huge.
+    for (const auto& [points, exponent] : {std::pair{1000U, -80}, {10'000U, 0}, {50'000U, 80}}) {
         const Profile profile = long_profile(points, random);
-        const float unit = random_unit(random, -90, 90);
+        const float unit = std::exp2(static_cast<float>(exponent + static_cast<int>(random.below(11))));
         TexturedMesh surface = ask<revolve>(out, times(profile, unit), 4);
         for (glm::vec3& position : surface.mesh.positions) position /= unit;
         Places places;
