@@ -69,20 +69,26 @@ inline Look look_at_panel(const Material& material, Random& random)
 }
 
 /// A light and a ball in its way, and one that is not: beyond the light, behind the panel, or beside. The panel itself
-/// is in nobody's way. Every third lamp is in its way by a small globe of its own.
+/// is in nobody's way. Every third lamp is in its way by a small globe of its own; other lamps are far away, and what
+/// is in their way lies close to the point.
 inline void add_shadow_pair(std::vector<Look>& looks, int kind, Random& random)
 {
     Look dark = look_at_panel(matt(random), random);
     const glm::vec3 side = dot(dark.v, dark.hit.normal) > 0 ? dark.hit.normal : -dark.hit.normal;
     const glm::vec3 way = tilted(random.below(4) == 0 ? -side : side, 0.8 * random.uniform_double(), random);
     const bool is_place = kind % 2 == 0;
-    const float distance = is_place ? random.uniform(2, 8) : random.uniform(0.5F, 2);
+    const bool is_far = kind % 10 == 4 || kind % 10 == 8;
+    const float near_by = is_place ? random.uniform(2, 8) : random.uniform(0.5F, 2);
+    const float distance = is_far ? std::exp2(near_by + 3) : near_by;
     dark.world.sources.push_back(
         {is_place ? glm::vec4(dark.hit.position + distance * way, 1) : glm::vec4(distance * way, 0),
          random_color(random, 2)});
     Ball ball{{}, random.uniform(0.1F, 0.3F), matt(random)};
     if (random.below(3) == 0) ball.material.refracted = 1;
-    const float between = is_place ? random.uniform(0.25F, 0.75F) * distance : random.uniform(1, 60);
+    if (is_far) ball.radius /= 32;
+    const float share = random.uniform(0.25F, 0.75F);
+    const float on_the_way = is_place ? share * distance : random.uniform(1, 60);
+    const float between = is_far ? (2 + share) * ball.radius : on_the_way;
     ball.centre = dark.hit.position + between * way;
     Look lit = dark;
     const float small = std::exp2(random.uniform(-8, -3));
