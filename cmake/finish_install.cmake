@@ -1,6 +1,6 @@
 # Run by `cmake --install` when a component's files are there: takes symbols and debug information out of them, veils
 # libraries of answers
-# (grader/batch/packaged_unit.hpp), and puts the program where a shell finds it.
+# (grader/worker/packaged_unit.hpp), and puts the program where a shell finds it.
 set(prefix $ENV{DESTDIR}${CMAKE_INSTALL_PREFIX})
 file(GLOB_RECURSE binaries LIST_DIRECTORIES false ${prefix}/lib/umbral/bin/* ${prefix}/lib/umbral/*.so)
 if(binaries)

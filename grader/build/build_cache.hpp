@@ -27,7 +27,7 @@ void prune_entries(const std::filesystem::path& folder, std::uintmax_t limit) no
     return cache / "checks";
 }
 
-/// Where trusted runs are kept (batch/worker.hpp), an entry for each unit.
+/// Where trusted runs are kept (worker/worker.hpp), an entry for each unit.
 [[nodiscard]] inline std::filesystem::path runs_folder(const std::filesystem::path& cache) { return cache / "runs"; }
 
 /// Notes that an entry was used now.

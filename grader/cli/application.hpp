@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "batch/worker.hpp"
 #include "build/toolchain.hpp"
 #include "cli/layout.hpp"
 #include "manifest/units.hpp"
 #include "report/terminal.hpp"
+#include "worker/worker.hpp"
 
 namespace umbral::grader {
 

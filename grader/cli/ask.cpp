@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "batch/ask_question.hpp"
 #include "cli/application.hpp"
 #include "cli/built_work.hpp"
 #include "cli/checkout.hpp"
@@ -15,6 +14,7 @@
 #include "judge/rows/tolerance.hpp"
 #include "model/caps.hpp"
 #include "report/paint.hpp"
+#include "worker/ask_question.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "batch/crew.hpp"
 #include "bench/explanations/explanations.hpp"
 #include "bench/held_out.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
 #include "cli/commands.hpp"
 #include "cli/paths.hpp"
+#include "worker/crew.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -5,7 +5,6 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
-#include "batch/crew.hpp"
 #include "bench/judges/resolutions.hpp"
 #include "bench/judges/results.hpp"
 #include "bench/judges/scene_pairs.hpp"
@@ -16,6 +15,7 @@
 #include "cli/paths.hpp"
 #include "judge/judges.hpp"
 #include "model/scratch.hpp"
+#include "worker/crew.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -4,11 +4,11 @@
 #include <memory>
 #include <mutex>
 
-#include "batch/crew.hpp"
 #include "bench/unforeseen/unforeseen.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
 #include "cli/commands.hpp"
+#include "worker/crew.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "batch/check_submission.hpp"
+#include "class/check_submission.hpp"
 #include "cli/application.hpp"
 #include "cli/check_file.hpp"
 #include "cli/checkout.hpp"

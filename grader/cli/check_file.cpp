@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "batch/own_file.hpp"
 #include "build/builder.hpp"
 #include "cli/checkout.hpp"
 #include "cli/paths.hpp"
 #include "report/paint.hpp"
+#include "unit/own_file.hpp"
 
 namespace umbral::grader {
 namespace {

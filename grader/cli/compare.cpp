@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <umbral/core/png.hpp>
 
-#include "batch/evidence.hpp"
 #include "cli/application.hpp"
 #include "cli/commands.hpp"
 #include "cli/config.hpp"
@@ -20,6 +19,7 @@
 #include "report/html/pages.hpp"
 #include "report/paint.hpp"
 #include "report/reasons.hpp"
+#include "unit/evidence.hpp"
 
 namespace umbral::grader {
 namespace {

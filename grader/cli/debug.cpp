@@ -5,8 +5,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "batch/case_results.hpp"
-#include "batch/grade_unit.hpp"
 #include "cli/application.hpp"
 #include "cli/built_work.hpp"
 #include "cli/checkout.hpp"
@@ -14,6 +12,8 @@
 #include "cli/paths.hpp"
 #include "cli/replace_process.hpp"
 #include "question/log.hpp"
+#include "unit/grade_unit.hpp"
+#include "worker/case_results.hpp"
 
 namespace umbral::grader {
 namespace {

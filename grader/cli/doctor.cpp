@@ -8,11 +8,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "batch/fingerprint.hpp"
 #include "cli/application.hpp"
 #include "cli/commands.hpp"
 #include "cli/doctor_attacks.hpp"
 #include "report/paint.hpp"
+#include "worker/fingerprint.hpp"
 
 namespace umbral::grader {
 namespace {

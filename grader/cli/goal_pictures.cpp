@@ -1,8 +1,8 @@
 #include "cli/goal_pictures.hpp"
 
-#include "batch/check_submission.hpp"
-#include "batch/crew.hpp"
+#include "class/check_submission.hpp"
 #include "cli/checkout.hpp"
+#include "worker/crew.hpp"
 
 namespace umbral::grader {
 

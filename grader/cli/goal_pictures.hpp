@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "batch/worker.hpp"
 #include "cli/application.hpp"
+#include "worker/worker.hpp"
 
 namespace umbral::grader {
 

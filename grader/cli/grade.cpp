@@ -8,8 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "batch/fingerprint.hpp"
-#include "batch/grade_class.hpp"
+#include "class/grade_class.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
 #include "cli/commands.hpp"
@@ -22,6 +21,7 @@
 #include "report/paint.hpp"
 #include "store/distinct_folders.hpp"
 #include "store/refused_folder.hpp"
+#include "worker/fingerprint.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "batch/pictures.hpp"
 #include "cli/application.hpp"
 #include "cli/commands.hpp"
 #include "cli/config.hpp"
@@ -16,6 +15,7 @@
 #include "cli/paths.hpp"
 #include "report/html/pages.hpp"
 #include "report/paint.hpp"
+#include "unit/pictures.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "batch/pictures.hpp"
 #include "cli/application.hpp"
 #include "cli/commands.hpp"
 #include "cli/framework_copy.hpp"
@@ -12,6 +11,7 @@
 #include "manifest/statements.hpp"
 #include "report/paint.hpp"
 #include "store/sent_folder.hpp"
+#include "unit/pictures.hpp"
 
 namespace umbral::grader {
 namespace {

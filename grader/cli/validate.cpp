@@ -1,4 +1,4 @@
-#include "batch/validate.hpp"
+#include "validate/validate.hpp"
 
 #include <fmt/format.h>
 
@@ -9,14 +9,14 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "batch/crew.hpp"
-#include "batch/validation_table.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
 #include "cli/commands.hpp"
 #include "cli/mutants.hpp"
 #include "cli/paths.hpp"
 #include "report/paint.hpp"
+#include "validate/validation_table.hpp"
+#include "worker/crew.hpp"
 
 namespace umbral::grader {
 namespace {

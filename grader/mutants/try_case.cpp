@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "batch/case_results.hpp"
-#include "batch/grade_unit.hpp"
+#include "unit/grade_unit.hpp"
+#include "worker/case_results.hpp"
 
 namespace umbral::grader {
 namespace {

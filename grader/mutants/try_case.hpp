@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "batch/seeds.hpp"
-#include "batch/worker.hpp"
 #include "model/exercise.hpp"
 #include "model/scorecard.hpp"
+#include "worker/seeds.hpp"
+#include "worker/worker.hpp"
 
 namespace umbral::grader {
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "batch/grade_unit.hpp"
 #include "mutants/try_case.hpp"
+#include "unit/grade_unit.hpp"
 
 namespace umbral::grader {
 namespace {

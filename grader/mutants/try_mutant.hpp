@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "batch/worker.hpp"
 #include "model/exercise.hpp"
+#include "worker/worker.hpp"
 
 namespace umbral::grader {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "batch/crew.hpp"
 #include "model/exercise.hpp"
 #include "mutants/build_mutants.hpp"
+#include "worker/crew.hpp"
 
 namespace umbral::grader {
 

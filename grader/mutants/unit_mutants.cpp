@@ -6,9 +6,9 @@
 #include <map>
 #include <mutex>
 
-#include "batch/known_solutions.hpp"
 #include "model/scratch.hpp"
 #include "mutants/build_mutants.hpp"
+#include "worker/known_solutions.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "batch/crew.hpp"
 #include "mutants/equivalents.hpp"
 #include "mutants/mutant.hpp"
 #include "mutants/try_mutant.hpp"
+#include "worker/crew.hpp"
 
 namespace umbral::grader {
 

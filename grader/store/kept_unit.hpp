@@ -17,7 +17,7 @@ struct UnitSections {
 /// A result as it lies on the disk, so that it need not be asked for again.
 struct KeptUnit {
     std::string key;      ///< digest of all that decides the result; empty: it is only shown, and asked for again
-    std::string machine;  ///< digest of version and machine (batch/unit_key.hpp)
+    std::string machine;  ///< digest of version and machine (worker/unit_key.hpp)
     UnitResult result;
 };
 

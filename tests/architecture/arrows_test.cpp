@@ -62,14 +62,19 @@ TEST(Arrows, of_the_grader)
         {"question", {"model", "judge"}},
         {"manifest", {"model", "judge"}},
         {"report", {"model", "judge"}},
-        {"batch", {"model", "manifest", "run", "store", "collect", "build", "judge", "question", "report"}},
-        {"mutants", {"model", "run", "collect", "build", "batch"}},
-        {"bench", {"model", "run", "collect", "build", "judge", "report", "batch", "mutants", "question"}},
+        {"worker", {"model", "manifest", "run", "store", "collect", "build", "judge", "question"}},
+        {"explain", {"model", "build", "judge", "question", "report", "worker"}},
+        {"unit", {"model", "run", "store", "build", "judge", "question", "report", "worker", "explain"}},
+        {"class", {"model", "store", "collect", "build", "report", "worker", "unit"}},
+        {"validate", {"manifest", "judge", "question", "worker", "unit"}},
+        {"mutants", {"model", "run", "collect", "build", "worker", "unit"}},
+        {"bench",
+         {"model", "run", "collect", "build", "judge", "report", "worker", "explain", "unit", "mutants", "question"}},
         {"inspect", {"model"}},
         {"attack", {"model"}},
         {"cli",
-         {"model", "manifest", "run", "store", "collect", "build", "judge", "question", "report", "batch", "mutants",
-          "bench", "attack"}}};
+         {"model", "manifest", "run", "store", "collect", "build", "judge", "question", "report", "worker", "unit",
+          "class", "validate", "mutants", "bench", "attack"}}};
     std::size_t seen = 0;
     for (const Include& include : includes_below("grader")) {
         const std::string layer = part(include.line.file, 1);
@@ -92,13 +97,13 @@ TEST(Arrows, judges_are_known_by_their_records)
         if (file.filename() == "record.cpp") judges.insert(file.parent_path().filename());
     EXPECT_GE(judges.size(), 9U);
     const std::set<std::string> allowed{
-        "grader/batch/pictures.cpp judge/image/rule.hpp",        // what is drawn is compared as a colour picture
+        "grader/unit/pictures.cpp judge/image/rule.hpp",         // what is drawn is compared as a colour picture
         "grader/report/triptych.hpp judge/image/rule.hpp",       // the same
         "grader/bench/judges/results.cpp judge/image/rule.hpp",  // measures that judge
         "grader/cli/compare.cpp judge/image/rule.hpp",           // compares two files of pictures
-        "grader/batch/weigh_cost.cpp judge/cost/cost.hpp",       // weighs counts against processor time
-        "grader/batch/weigh_cost.cpp judge/cost/outside_cost.hpp",
-        "grader/batch/weigh_cost.cpp judge/cost/answers.hpp",
+        "grader/worker/weigh_cost.cpp judge/cost/cost.hpp",      // weighs counts against processor time
+        "grader/worker/weigh_cost.cpp judge/cost/outside_cost.hpp",
+        "grader/worker/weigh_cost.cpp judge/cost/answers.hpp",
         "grader/judge/noise/noise.cpp judge/events/events.hpp",  // names of quantities are written like names of events
     };
     for (const Include& include : includes_below("grader")) {
@@ -206,7 +211,7 @@ TEST(Arrows, nobody_below_includes_reference_exercises_or_grader)
     for (const char* const folder : {"framework", "reference"}) {
         for (const Include& include : includes_below(folder))
             for (const char* const forbidden :
-                 {"grader/", "exercises/", "model/", "run/", "build/", "batch/", "reference/"})
+                 {"grader/", "exercises/", "model/", "run/", "build/", "worker/", "unit/", "reference/"})
                 EXPECT_FALSE(include.target.starts_with(forbidden)) << include.line.where();
     }
 }
@@ -218,7 +223,7 @@ TEST(Arrows, of_the_exercises)
     std::size_t seen = 0;
     for (const Include& include : includes_below("exercises")) {
         ++seen;
-        for (const char* const forbidden : {"grader/", "reference/", "model/", "run/", "batch/"})
+        for (const char* const forbidden : {"grader/", "reference/", "model/", "run/", "worker/", "unit/"})
             EXPECT_EQ(include.target.find(forbidden), std::string::npos) << include.line.where();
         const bool shared = part(include.line.file, 2).ends_with(".hpp") ||
                             fs::path(include.line.file).filename() == "driver.cpp" ||

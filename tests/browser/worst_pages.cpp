@@ -6,14 +6,14 @@
 #include <umbral/core/random.hpp>
 #include <vector>
 
-#include "batch/case_results.hpp"
-#include "batch/evidence.hpp"
 #include "collect/sources.hpp"
 #include "judge/cost/cost.hpp"
 #include "judge/judge.hpp"
 #include "judge/make.hpp"
 #include "judge/trace/trace_counts.hpp"
 #include "report/html/pages.hpp"
+#include "unit/evidence.hpp"
+#include "worker/case_results.hpp"
 
 // Writes pages with evidence of every kind and the worst of texts into a folder, for the browser to try. The evidence
 // is made from recordings, by the same functions as when a class is graded.

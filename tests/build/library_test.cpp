@@ -6,9 +6,9 @@
 #include <set>
 #include <sstream>
 
-#include "batch/grade_unit.hpp"
 #include "build/inspection.hpp"
 #include "support/workbench.hpp"
+#include "unit/grade_unit.hpp"
 
 namespace umbral::grader::test {
 namespace {

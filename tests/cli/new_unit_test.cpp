@@ -4,14 +4,14 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "batch/known_solutions.hpp"
-#include "batch/validate.hpp"
 #include "cli/application.hpp"
 #include "cli/commands.hpp"
 #include "cli/unit_template.hpp"
 #include "manifest/units.hpp"
 #include "support/printed.hpp"
 #include "support/temporary_folder.hpp"
+#include "validate/validate.hpp"
+#include "worker/known_solutions.hpp"
 
 // umbral new-unit, in a checkout that holds the templates, the framework's headers and one unit.
 namespace umbral::grader {

@@ -2,13 +2,13 @@
 
 #include <filesystem>
 
-#include "batch/validate.hpp"
 #include "cli/application.hpp"
 #include "cli/commands.hpp"
 #include "cli/interface_block.hpp"
 #include "collect/sources.hpp"
 #include "manifest/statements.hpp"
 #include "support/temporary_folder.hpp"
+#include "validate/validate.hpp"
 
 // What the program does with statements: interface blocks, hints, missing languages.
 namespace umbral::grader {

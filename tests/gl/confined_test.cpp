@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "batch/worker.hpp"
 #include "support/workbench.hpp"
+#include "worker/worker.hpp"
 
 // Drawing in a run as every student's: a fork of a warm spawner, behind Landlock and seccomp.
 namespace umbral::grader::test {

@@ -1,4 +1,4 @@
-#include "batch/packaged_unit.hpp"
+#include "worker/packaged_unit.hpp"
 #include "manifest/units.hpp"
 
 #include <gtest/gtest.h>

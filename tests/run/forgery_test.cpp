@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "batch/grade_unit.hpp"
-#include "batch/planted.hpp"
 #include "forging.hpp"
+#include "grading/planted.hpp"
 #include "raw_calls.hpp"
 #include "support/workbench.hpp"
+#include "unit/grade_unit.hpp"
 
 namespace umbral::grader::test {
 namespace {

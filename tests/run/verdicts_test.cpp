@@ -2,10 +2,10 @@
 
 #include <fstream>
 
-#include "batch/grade_unit.hpp"
-#include "batch/planted.hpp"
+#include "grading/planted.hpp"
 #include "raw_calls.hpp"
 #include "support/workbench.hpp"
+#include "unit/grade_unit.hpp"
 
 namespace umbral::grader::test {
 namespace {

@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <string>
 
-#include "batch/worker.hpp"
 #include "build/builder.hpp"
 #include "manifest/units.hpp"
 #include "run/spawner.hpp"
 #include "support/temporary_folder.hpp"
+#include "worker/worker.hpp"
 
 namespace umbral::grader::test {
 

@@ -5,14 +5,14 @@
 #include <set>
 #include <umbral/core/random.hpp>
 
-#include "batch/explain_unit.hpp"
-#include "batch/grade_unit.hpp"
-#include "batch/two_mistakes.hpp"
 #include "bench/explanations/disturb.hpp"
+#include "explain/explain_unit.hpp"
+#include "explain/two_mistakes.hpp"
 #include "judge/explain/confidence.hpp"
 #include "judge/judges.hpp"
 #include "judge/rules.hpp"
 #include "model/digest.hpp"
+#include "unit/grade_unit.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "batch/worker.hpp"
 #include "model/exercise.hpp"
 #include "model/scorecard.hpp"
+#include "worker/worker.hpp"
 
 namespace umbral::grader {
 

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "batch/case_results.hpp"
-#include "batch/grade_unit.hpp"
-#include "batch/known_solutions.hpp"
 #include "bench/judges/picture_operators.hpp"
 #include "build/builder.hpp"
 #include "judge/judges.hpp"
 #include "judge/rules.hpp"
+#include "unit/grade_unit.hpp"
+#include "worker/case_results.hpp"
+#include "worker/known_solutions.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "batch/worker.hpp"
 #include "bench/judges/picture_pair.hpp"
+#include "worker/worker.hpp"
 
 namespace umbral::grader {
 

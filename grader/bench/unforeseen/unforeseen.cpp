@@ -7,15 +7,15 @@
 #include <set>
 #include <umbral/core/random.hpp>
 
-#include "batch/common_condition.hpp"
-#include "batch/grade_unit.hpp"
-#include "batch/known_solutions.hpp"
-#include "batch/other_questions.hpp"
+#include "explain/common_condition.hpp"
+#include "explain/other_questions.hpp"
 #include "model/digest.hpp"
 #include "model/scratch.hpp"
 #include "mutants/build_mutants.hpp"
 #include "mutants/schemata.hpp"
 #include "report/reasons.hpp"
+#include "unit/grade_unit.hpp"
+#include "worker/known_solutions.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -1,0 +1,130 @@
+#include "explain/asked_answers.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "explain/some_rows.hpp"
+#include "judge/explain/resemblances.hpp"
+#include "judge/judges.hpp"
+#include "judge/rows/columns.hpp"
+#include "judge/rows/rows.hpp"
+
+namespace umbral::grader {
+namespace {
+
+/// Of one check; more say nothing new.
+constexpr std::size_t most_answers = 4000;
+
+/// What the driver calls them, or the places in a matrix.
+std::vector<std::string> names_of_columns(const Check& check, const Tensor* names, std::size_t components)
+{
+    // Names of events and fragments are others.
+    if (judge_of(check).free_rows) return {};
+    const bool square = components == 9 || components == 16;
+    if (&rows_of(check) != &matrix_rows() || !square) return column_names(text_of(names), components, check.value);
+    std::vector<std::string> entries;
+    for (std::size_t i = 0; i < components; ++i) entries.push_back("entry " + matrix_entry(components, i));
+    return entries;
+}
+
+std::vector<double> row_of(const TensorView& view, std::size_t row)
+{
+    if (!view.present(row)) return {};
+    const auto cell = view.cell(row);
+    return {cell.begin(), cell.end()};
+}
+
+void add_rows(const AskedCheck& asked, const QuestionLog& log, const Tensor& student, const Expected& expected,
+              AskedAnswers& answers)
+{
+    const TensorView yours(student);
+    const TensorView right(*expected.value);
+    const std::vector<RowState> states = single_rows(asked.check, student, expected);
+    answers.optional = right.optional();
+    for (std::size_t row = 0; row < std::min(states.size(), most_answers); ++row) {
+        const auto question = log.question_of(asked.check.value, row, states.size());
+        if (states[row] == RowState::left_out || !question) continue;
+        answers.all.push_back(
+            {*question, row, {row_of(yours, row), row_of(right, row), states[row] == RowState::wrong}});
+    }
+}
+
+/// The rows of two tables that one question led to.
+struct RowsOfQuestion {
+    std::vector<std::size_t> yours{};
+    std::vector<std::size_t> expected{};
+};
+
+using RowsOfQuestions = std::map<std::uint32_t, RowsOfQuestion>;
+
+void add_rows_of(const QuestionLog& log, const std::string& value, std::size_t rows,
+                 std::vector<std::size_t> RowsOfQuestion::*whose, RowsOfQuestions& found)
+{
+    for (std::size_t row = 0; row < rows; ++row)
+        if (const auto question = log.question_of(value, row, rows)) (found[*question].*whose).push_back(row);
+}
+
+bool is_right(const Check& check, const Tensor& yours, const Tensor& right, const Tensor* margin)
+{
+    if (yours.rows == 0 || right.rows == 0) return yours.rows == right.rows;
+    if (!judge_of(check).free_rows && yours.rows != right.rows) return false;
+    return judge(check, yours, right, margin).right >= 1;
+}
+
+/// All rows of a question together. The student's run says itself which of its rows are whose: it runs again for that.
+void add_groups(const AskedCheck& asked, const QuestionLog& log, const Expected& expected, std::uint64_t seed,
+                AskedAnswers& answers)
+{
+    const std::string& value = asked.check.value;
+    const RunOutcome& told = asked.runs.told(seed);
+    const Tensor* student = observed(asked.check, told);
+    if (told.verdict != Verdict::ok || student == nullptr || student->columns > 1 || expected.value->columns > 1)
+        return;
+    const Tensor& right = *expected.value;
+    if (!well_formed(*student) || !well_formed(right) || row_shape_error(*student, right)) return;
+    RowsOfQuestions all;
+    add_rows_of(log, value, right.rows, &RowsOfQuestion::expected, all);
+    add_rows_of(read_questions(told.recording.tensors), value, student->rows, &RowsOfQuestion::yours, all);
+    Check check = asked.check;
+    check.pairs = false;
+    const bool has_margin = expected.margin != nullptr && expected.margin->rows == right.rows &&
+                            expected.margin->columns == 1 && well_formed(*expected.margin);
+    for (const auto& [question, rows] : all) {
+        if (answers.all.size() == most_answers) break;
+        const Tensor one = student->rows == 0 ? some_rows(right, {}) : some_rows(*student, rows.yours);
+        const Tensor other = some_rows(right, rows.expected);
+        const Tensor margin = has_margin ? some_rows(*expected.margin, rows.expected) : Tensor();
+        answers.all.push_back(
+            {question,
+             std::nullopt,
+             {to_doubles(one), to_doubles(other), !is_right(check, one, other, has_margin ? &margin : nullptr)}});
+    }
+    answers.optional = true;
+}
+
+}
+
+AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
+{
+    const Check& check = asked.check;
+    AskedAnswers answers;
+    if (asked.result.hidden || check.relation || !judge_of(check).plain_values) return answers;
+    const bool seen = seed == asked.result.seed;
+    const RunOutcome& run = worker.trusted(asked.exercise, judged_against(check), check.case_name, seed);
+    const QuestionLog& log = seen ? asked.log : worker.questions(asked.exercise, check.case_name, seed);
+    const Expected expected = expected_of(check, run);
+    if (expected.value == nullptr) return answers;
+    answers.components = expected.value->components;
+    answers.keys = judge_of(check).keys;
+    answers.columns = names_of_columns(check, expected.names, answers.components);
+    const RunOutcome& student = asked.runs.plain(seed);
+    if (student.verdict != Verdict::ok) return answers;
+    const Tensor* yours = observed(check, student);
+    if (has_single_rows(check, yours, expected.value))
+        add_rows(asked, log, *yours, expected, answers);
+    else
+        add_groups(asked, log, expected, seed, answers);
+    return answers;
+}
+
+}

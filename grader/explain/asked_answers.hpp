@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "question/answer_patterns.hpp"
+#include "question/log.hpp"
+#include "worker/case_results.hpp"
+#include "worker/case_runs.hpp"
+#include "worker/worker.hpp"
+
+namespace umbral::grader {
+
+/// One failing check, and the questions of its case.
+struct AskedCheck {
+    const Exercise& exercise;
+    const Check& check;
+    CaseRuns& runs;  ///< of the check's case
+    const CaseResult& result;
+    const QuestionLog& log;
+    const std::string& headers;  ///< the text of the unit's interface headers, where its parameters have names
+};
+
+/// A question, and the student's answer to it beside the right one.
+struct AskedAnswer {
+    std::uint32_t question = 0;
+    std::optional<std::size_t> row{};  ///< of the expected table, where rows are compared one by one
+    AnswerPair answer{};
+};
+
+/// What a check's questions were answered.
+struct AskedAnswers {
+    std::vector<AskedAnswer> all{};
+    std::size_t components = 1;
+    std::size_t keys = 0;                ///< of them, those that say what the row is about
+    std::vector<std::string> columns{};  ///< what the numbers of a row are called
+    bool optional = false;               ///< an answer may be that there is none
+};
+
+/// The answers with the inputs of a seed: row by row where rows are compared so, else, where their number is free or
+/// another one than expected, all rows of a question together. Empty where neither can be said. The student's code may
+/// be run again.
+[[nodiscard]] AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_t seed);
+
+}

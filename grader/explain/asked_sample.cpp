@@ -1,0 +1,132 @@
+#include "explain/asked_sample.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "question/names.hpp"
+
+namespace umbral::grader {
+namespace {
+
+/// Answers whose questions are of one kind.
+struct AnswersOfKind {
+    const AskedAnswers& asked;
+    const QuestionKind& kind;
+    std::vector<const AskedAnswer*> some;
+};
+
+/// What is known of the right answer too.
+void add_answer(const AskedAnswers& answers, const AskedAnswer& one, std::vector<double>& numbers)
+{
+    if (answers.optional) numbers.push_back(one.answer.expected.empty() ? 0 : 1);
+    if (!one.row) return;
+    for (std::size_t i = 0; i < answers.components; ++i)
+        numbers.push_back(one.answer.expected.empty() ? 0 : one.answer.expected[i]);
+}
+
+std::vector<std::string> answer_names(const AskedAnswers& answers)
+{
+    std::vector<std::string> names;
+    if (answers.optional) names.emplace_back(has_answer);
+    if (answers.all.empty() || !answers.all.front().row) return names;
+    for (std::size_t i = 0; i < answers.components; ++i)
+        names.push_back(answers.components == 1      ? right_answer
+                        : i < answers.columns.size() ? fmt::format("{}.{}", right_answer, answers.columns[i])
+                                                     : fmt::format("{}[{}]", right_answer, i));
+    return names;
+}
+
+/// A table that tells of right answers alone.
+QuestionTable no_questions(const AskedAnswers& answers)
+{
+    QuestionTable table;
+    table.answers = 0;
+    if (answers.optional) table.first = 0;
+    return table;
+}
+
+/// The questions' own numbers, called as the interface calls them.
+QuestionTable questions_of(const AskedCheck& asked, const AnswersOfKind& answers)
+{
+    QuestionTable table;
+    const std::vector<std::string> parameters = parameter_names(asked.headers, answers.kind.function);
+    for (const std::string& place : answers.kind.features) table.names.push_back(in_words(place, parameters));
+    // That nothing is found where something is says more than what else is true of such questions.
+    table.answers = table.names.size();
+    table.words = answers.kind.words;
+    if (answers.asked.optional) table.first = table.names.size();
+    return table;
+}
+
+ToldSample told_of(QuestionTable table, std::vector<bool> wrong)
+{
+    std::vector<Fact> facts = facts_of(table);
+    return {std::move(table.names), std::move(table.numbers), std::move(facts), std::move(wrong)};
+}
+
+/// `table` has the questions' names, or none.
+ToldSample by_answer(QuestionTable table, const AnswersOfKind& answers)
+{
+    const bool with_questions = !table.names.empty();
+    std::ranges::copy(answer_names(answers.asked), std::back_inserter(table.names));
+    std::vector<bool> wrong;
+    for (const AskedAnswer* const one : answers.some) {
+        std::vector<double> numbers = with_questions ? answers.kind.questions.at(one->question) : std::vector<double>();
+        add_answer(answers.asked, *one, numbers);
+        table.numbers.push_back(std::move(numbers));
+        wrong.push_back(one->answer.wrong);
+    }
+    return told_of(std::move(table), std::move(wrong));
+}
+
+ToldSample by_question(QuestionTable table, const AnswersOfKind& answers)
+{
+    struct Question {
+        bool wrong = false;
+        bool has_answer = false;
+    };
+    std::map<std::uint32_t, Question> questions;
+    for (const AskedAnswer* const one : answers.some) {
+        Question& question = questions[one->question];
+        question.wrong = question.wrong || one->answer.wrong;
+        question.has_answer = question.has_answer || !one->answer.expected.empty();
+    }
+    if (questions.size() == answers.some.size()) return {};
+    if (answers.asked.optional) table.names.emplace_back(has_answer);
+    std::vector<bool> wrong;
+    for (const auto& [number, question] : questions) {
+        table.numbers.push_back(answers.kind.questions.at(number));
+        if (answers.asked.optional) table.numbers.back().push_back(question.has_answer ? 1 : 0);
+        wrong.push_back(question.wrong);
+    }
+    return told_of(std::move(table), std::move(wrong));
+}
+
+}
+
+AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
+{
+    const AskedAnswers answers = asked_answers(worker, asked, seed);
+    const QuestionLog& log =
+        seed == asked.result.seed ? asked.log : worker.questions(asked.exercise, asked.check.case_name, seed);
+    std::map<const QuestionKind*, std::vector<const AskedAnswer*>> by_kind;
+    for (const AskedAnswer& one : answers.all) by_kind[log.kind_of(one.question)].push_back(&one);
+    AskedSample result;
+    const auto most = std::ranges::max_element(by_kind, {}, [](const auto& one) { return one.second.size(); });
+    if (most == by_kind.end()) return result;
+    const auto& [kind, some] = *most;
+    result.answers = {answers.components, answers.keys, answers.columns, {}, {}};
+    for (const AskedAnswer* const one : some) result.answers.answers.push_back(one->answer);
+    if (kind == nullptr) return result;
+    const AnswersOfKind of_kind{answers, *kind, some};
+    const QuestionTable table = questions_of(asked, of_kind);
+    result.by_answer = by_answer(table, of_kind);
+    result.answers.facts = result.by_answer.facts;
+    result.by_question = by_question(table, of_kind);
+    if (!result.by_question.numbers.empty()) result.by_answer = by_answer(no_questions(answers), of_kind);
+    return result;
+}
+
+}

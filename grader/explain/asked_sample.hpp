@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "explain/asked_answers.hpp"
+#include "question/answer_patterns.hpp"
+#include "question/facts.hpp"
+
+namespace umbral::grader {
+
+/// What the right answer's numbers, and whether there is one, are called among those of a question.
+inline constexpr const char* right_answer = "the right answer";
+inline constexpr const char* has_answer = "there being a right answer";
+
+/// Questions or answers beside each other: what is told of each, and which are wrong.
+struct ToldSample {
+    std::vector<std::string> names{};  ///< of the numbers
+    std::vector<std::vector<double>> numbers{};
+    std::vector<Fact> facts{};
+    std::vector<bool> wrong{};
+};
+
+/// A check's answers whose questions are of one kind, the kind that most have.
+struct AskedSample {
+    AnswerTable answers{};
+    /// Each answer by itself, in the same order, with its question's numbers and the right answer's. Where a question
+    /// has several answers, they tell no more of it than one would: then without the question's.
+    ToldSample by_answer{};
+    /// Where a question has several answers, else empty: each question once, wrong if one of its answers is. Of the
+    /// right answers it holds only whether there is one.
+    ToldSample by_question{};
+};
+
+/// The answers with the inputs of a seed. The student's code may be run again.
+[[nodiscard]] AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed);
+
+}

@@ -1,0 +1,169 @@
+#include "explain/common_condition.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "explain/asked_sample.hpp"
+#include "question/conditions.hpp"
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::size_t least_of_fixed = 6;  ///< questions on either side, where no fresh ones can confirm a condition
+/// Something that is so for 1 answer of 100 but one is found out with these many; few are asked at a time.
+constexpr std::size_t enough_answers = 200;
+constexpr std::size_t most_in_vector = 4;
+constexpr std::size_t least_confirmed = 2;  ///< sets of fresh inputs
+constexpr std::size_t most_confirmed = 6;
+
+bool has_both(const std::vector<bool>& wrong, std::size_t least)
+{
+    const auto count = static_cast<std::size_t>(std::ranges::count(wrong, true));
+    return count >= least && wrong.size() - count >= least;
+}
+
+/// The answers that were graded, and those to fresh inputs, where what was seen is confirmed; each found out once, when
+/// first asked for.
+class Samples {
+public:
+    Samples(Worker& worker, const AskedCheck& asked) : worker_(worker), asked_(asked) {}
+
+    const AskedSample& seen() { return at(0); }
+    /// From 1 to most_confirmed.
+    const AskedSample& fresh(std::size_t number) { return at(number); }
+
+private:
+    const AskedSample& at(std::size_t place)
+    {
+        std::optional<AskedSample>& one = samples_.at(place);
+        if (!one) one = asked_sample(worker_, asked_, asked_.result.seed ^ (place * 0x9E3779B97F4A7C15U));
+        return *one;
+    }
+
+    Worker& worker_;
+    const AskedCheck& asked_;
+    std::array<std::optional<AskedSample>, 1 + most_confirmed> samples_;
+};
+
+/// "the right answer is nothing" is what people say.
+void replace(std::string& text, const std::string& from, const std::string& to)
+{
+    if (const std::size_t place = text.find(from); place != std::string::npos) text.replace(place, from.size(), to);
+}
+
+std::string in_plain_words(const Condition& condition)
+{
+    std::string text = sentence_of(condition);
+    const std::string answer = has_answer;
+    for (const char* const end : {" is not 0", " is positive", " is 1"})
+        replace(text, answer + end, "something is to be found");
+    for (const char* const end : {" is 0 or negative", " is not 1", " is 0"})
+        replace(text, answer + end, "nothing is to be found");
+    return text;
+}
+
+/// Does the condition part those of fresh inputs too, so many that a chance would have shown?
+bool is_confirmed(const Condition& condition, Samples& samples, ToldSample AskedSample::*of)
+{
+    const ToldSample& seen = samples.seen().*of;
+    std::size_t wrong = condition.wrong;
+    std::size_t right = condition.right;
+    for (std::size_t i = 1; i <= most_confirmed; ++i) {
+        const ToldSample& fresh = samples.fresh(i).*of;
+        // Rare ones may not come again at all.
+        const bool none = fresh.names == seen.names && !has_both(fresh.wrong, 1);
+        if (none && i > least_confirmed) continue;
+        if (none || fresh.names != seen.names) return false;
+        if (!parts(condition, fresh.facts, fresh.wrong)) return false;
+        wrong += static_cast<std::size_t>(std::ranges::count(fresh.wrong, true));
+        right += static_cast<std::size_t>(std::ranges::count(fresh.wrong, false));
+        if (i >= least_confirmed && std::min(wrong, right) >= enough_answers) break;
+    }
+    return true;
+}
+
+/// The simplest condition that parts wrong ones from right ones, if it does so on fresh inputs too, or if there can be
+/// no others.
+std::optional<CommonCondition> condition_of(Samples& samples, ToldSample AskedSample::*of)
+{
+    const ToldSample& seen = samples.seen().*of;
+    if (seen.numbers.empty()) return std::nullopt;
+    std::optional<Condition> condition = simplest_condition(seen.facts, seen.wrong);
+    if (!condition) return std::nullopt;
+    const ToldSample& fresh = samples.fresh(1).*of;
+    const bool same = fresh.names == seen.names && fresh.numbers == seen.numbers;
+    // Where a case always asks the same, nothing can say that the bound is more than a number between them, nor that
+    // one of the many entries of a right matrix has more to do with it than another.
+    const bool by_chance =
+        condition->fitted || (condition->of_answer && samples.seen().answers.components > most_in_vector);
+    if (same && by_chance) return std::nullopt;
+    const bool holds = same ? has_both(seen.wrong, least_of_fixed) && condition->right_where == 0 &&
+                                  condition->wrong_where == condition->wrong
+                            : is_confirmed(*condition, samples, of);
+    if (!holds) return std::nullopt;
+    return CommonCondition{*std::move(condition), of};
+}
+
+/// Of questions that have several answers, or else of answers.
+std::optional<CommonCondition> common_condition(Samples& samples)
+{
+    std::optional<CommonCondition> found = condition_of(samples, &AskedSample::by_question);
+    return found ? found : condition_of(samples, &AskedSample::by_answer);
+}
+
+/// What all wrong answers share, if it is so with fresh inputs too, so many that a chance would have shown.
+std::string common_answer(Samples& samples)
+{
+    const auto count = [](const AskedSample& one) {
+        return static_cast<std::size_t>(std::ranges::count_if(one.answers.answers, &AnswerPair::wrong));
+    };
+    std::vector<std::string> patterns = answer_patterns(samples.seen().answers);
+    std::size_t wrong = count(samples.seen());
+    const bool same = !patterns.empty() && samples.fresh(1).by_answer.numbers == samples.seen().by_answer.numbers;
+    for (std::size_t i = 1; i <= most_confirmed && !patterns.empty(); ++i) {
+        const AskedSample& fresh = samples.fresh(i);
+        if (i > least_confirmed && count(fresh) < least_wrong) continue;
+        const std::vector<std::string> again = answer_patterns(fresh.answers);
+        std::erase_if(patterns, [&](const std::string& one) { return std::ranges::find(again, one) == again.end(); });
+        wrong += count(fresh);
+        if (i >= least_confirmed && (same || wrong >= enough_answers)) break;
+    }
+    return patterns.empty() ? "" : patterns.front();
+}
+
+}
+
+InCommon find_in_common(Worker& worker, const AskedCheck& asked)
+{
+    Samples samples(worker, asked);
+    return {common_condition(samples), common_answer(samples)};
+}
+
+std::string sentence_of(const InCommon& common)
+{
+    std::string text = common.condition ? in_plain_words(common.condition->condition) : "";
+    if (!common.answer.empty()) text += fmt::format("{}every wrong answer {}", text.empty() ? "" : "; ", common.answer);
+    return text;
+}
+
+std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const CommonCondition& condition,
+                             std::uint64_t seed)
+{
+    const AskedSample fresh = asked_sample(worker, asked, seed);
+    const ToldSample& told = fresh.*condition.of;
+    if (told.numbers.empty() || !has_both(told.wrong, 1)) return std::nullopt;
+    return parts(condition.condition, told.facts, told.wrong);
+}
+
+std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const std::string& pattern, std::uint64_t seed)
+{
+    const AskedSample fresh = asked_sample(worker, asked, seed);
+    const std::vector<std::string> found = answer_patterns(fresh.answers);
+    const auto wrong = std::ranges::count_if(fresh.answers.answers, &AnswerPair::wrong);
+    if (found.empty() && wrong < static_cast<std::ptrdiff_t>(least_wrong)) return std::nullopt;
+    return std::ranges::find(found, pattern) != found.end();
+}
+
+}

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "explain/asked_answers.hpp"
+#include "explain/asked_sample.hpp"
+#include "question/conditions.hpp"
+
+namespace umbral::grader {
+
+/// A condition that parts wrong answers from right ones, or questions with wrong answers from those without.
+struct CommonCondition {
+    Condition condition;
+    ToldSample AskedSample::*of;  ///< by_answer or by_question: what it takes the facts of
+};
+
+/// What the wrong answers of a check have in common.
+struct InCommon {
+    std::optional<CommonCondition> condition{};  ///< the simplest one
+    /// What all wrong answers share, as words such as "is always 0" (question/answer_patterns.hpp); may be empty.
+    std::string answer{};
+};
+
+/// Holds only what is so on fresh inputs too, or where there can be no others. Nothing of hidden cases, whose student's
+/// code is not run again.
+[[nodiscard]] InCommon find_in_common(Worker& worker, const AskedCheck& asked);
+
+/// "wrong wherever ray.t_min is positive (50 of 50), right everywhere else (350 of 350); every wrong answer is always
+/// 0". Empty if there is neither.
+[[nodiscard]] std::string sentence_of(const InCommon& common);
+
+/// Does the condition part wrong answers from right ones with the inputs of this seed too? Nothing if that cannot be
+/// said, as where none or all are wrong there.
+[[nodiscard]] std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const CommonCondition& condition,
+                                           std::uint64_t seed);
+
+/// The same of what all wrong answers share.
+[[nodiscard]] std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const std::string& pattern,
+                                           std::uint64_t seed);
+
+}

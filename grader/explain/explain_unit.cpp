@@ -1,0 +1,137 @@
+#include "explain/explain_unit.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <list>
+#include <tuple>
+
+#include "explain/explained_checks.hpp"
+#include "explain/other_questions.hpp"
+#include "explain/two_mistakes.hpp"
+#include "judge/explain/explain.hpp"
+#include "judge/explain/thresholds.hpp"
+#include "worker/packaged_unit.hpp"
+
+namespace umbral::grader {
+namespace {
+
+struct LikelyMistake {
+    const KnownSolution* mistake = nullptr;
+    Tally tally{};
+    bool fits_here = false;  ///< a failing check of the case looked at speaks for it
+};
+
+/// Drawing costs a hundred times what numbers do, and a unit's mistakes may be thirty: one that so many checks speak
+/// against, and none for, is not tried on the other cases.
+constexpr std::size_t enough_against = 2;
+
+std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, const std::vector<CaseChecks>& groups,
+                                     std::span<const KnownSolution> mistakes)
+{
+    std::vector<LikelyMistake> candidates;
+    for (const KnownSolution& mistake : mistakes) candidates.push_back({&mistake});
+    std::size_t undecided = 0;
+    for (const CaseChecks& group : groups) undecided += group.failing;
+
+    for (const CaseChecks& group : groups) {
+        undecided -= group.failing;
+        // A mistake that explains runs to its end: none is like a run that the clock stopped.
+        const bool stopped = group.result->student.verdict == Verdict::timeout;
+        for (LikelyMistake& candidate : candidates) {
+            candidate.fits_here = false;
+            if (stopped) {
+                for (std::size_t i = 0; i < group.checks.size(); ++i) candidate.tally += not_alike;
+                continue;
+            }
+            const KnownSolution& mistake = *candidate.mistake;
+            const RunOutcome& run =
+                worker.run_known(exercise, "mistakes/" + mistake.name, mistake.sources, group.name, group.result->seed);
+            for (const FailingCheck& one : group.checks) {
+                const Resemblance said = says_of(one, *group.result, run);
+                candidate.tally += said;
+                candidate.fits_here = candidate.fits_here || said.says == Says::for_it;
+            }
+        }
+        std::erase_if(candidates, [&](const LikelyMistake& one) {
+            const bool unlike = exercise.gl && one.tally.for_it == 0 && one.tally.against_it >= enough_against;
+            return unlike || most_confidence(one.tally, undecided) < thresholds::least_sure;
+        });
+        // A unit's mistakes may be many and slow: one that fits no failing check of a case is out, as long as another
+        // fits there.
+        if (group.failing > 0 && std::ranges::any_of(candidates, &LikelyMistake::fits_here))
+            std::erase_if(candidates, std::not_fn(&LikelyMistake::fits_here));
+    }
+    std::vector<Explanation> found;
+    for (const LikelyMistake& candidate : candidates)
+        found.push_back({mistake_title(candidate.mistake->name), candidate.mistake->hint, confidence(candidate.tally),
+                         fit(candidate.tally)});
+    return found;
+}
+
+}
+
+std::vector<KnownSolution> explaining_mistakes(const Worker& worker, const Exercise& exercise)
+{
+    std::vector<KnownSolution> mistakes = known_mistakes(worker.tools(), exercise);
+    std::erase_if(mistakes, [](const KnownSolution& one) {
+        return one.verdict && *one.verdict != Verdict::wrong && *one.verdict != Verdict::partial;
+    });
+    return mistakes;
+}
+
+std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, const UnitResult& result,
+                                      const CaseResults& cases, std::span<const KnownSolution> mistakes)
+{
+    std::list<Check> plain;
+    const std::vector<CaseChecks> groups = checks_by_case(worker, exercise, result, cases, plain);
+    // What crashed or was stopped has no result to explain.
+    std::vector<FailingCheck> ran;
+    for (const CaseChecks& group : groups)
+        if (group.result->trouble().empty())
+            std::ranges::copy_if(group.checks, std::back_inserter(ran),
+                                 [](const FailingCheck& one) { return one.student != nullptr; });
+    if (std::ranges::none_of(ran, &FailingCheck::fails)) return {};
+    std::vector<Explanation> all = by_mistakes(worker, exercise, groups, mistakes);
+    const auto explained = [&] {
+        return std::ranges::any_of(
+            all, [](const Explanation& one) { return one.fit == 1 && one.confidence >= thresholds::very_sure; });
+    };
+    // A known mistake that explains all has a hint written for the unit: what is tried for all units can say no more.
+    if (!explained())
+        for (Explanation& other : explain_by_transform(ran)) all.push_back(std::move(other));
+    // Where nothing else explains all, and once, of what students may know.
+    if (!explained() && std::ranges::none_of(groups, [](const CaseChecks& group) { return group.result->hidden; }))
+        for (Explanation& other : by_other_questions(worker, exercise, groups)) all.push_back(std::move(other));
+    std::vector<Explanation> best = ranked(std::move(all));
+    if (!best.empty() && best.front().confidence >= thresholds::very_sure) return best;
+    std::vector<Explanation> two = by_two_mistakes(worker, exercise, groups, mistakes);
+    return two.empty() ? best : two;
+}
+
+std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, const UnitResult& result,
+                                      const CaseResults& cases)
+{
+    if (result.score == result.max_score) return {};
+    const std::vector<KnownSolution> mistakes = explaining_mistakes(worker, exercise);
+    std::vector<Explanation> all = explain_unit(worker, exercise, result, cases, mistakes);
+    Exercise seen = exercise;
+    UnitResult seen_result;
+    seen.checks.clear();
+    for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
+        if (cases.at(exercise.checks[i].case_name).hidden) continue;
+        seen.checks.push_back(exercise.checks[i]);
+        seen_result.checks.push_back(result.checks[i]);
+    }
+    if (seen.checks.size() == exercise.checks.size()) return all;
+    std::vector<Explanation> found = explain_unit(worker, seen, seen_result, cases, mistakes);
+    const std::size_t from_seen = found.size();
+    for (Explanation& one : all) {
+        if (std::ranges::any_of(found, [&](const Explanation& other) { return other.name == one.name; })) continue;
+        one.hidden = true;
+        one.ambiguous = one.ambiguous && from_seen == 0;
+        found.push_back(std::move(one));
+    }
+    return found;
+}
+
+}

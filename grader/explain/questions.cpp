@@ -1,0 +1,163 @@
+#include "explain/questions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "explain/asked_alone.hpp"
+#include "explain/common_condition.hpp"
+#include "explain/other_questions.hpp"
+#include "explain/simplest_question.hpp"
+#include "question/log.hpp"
+
+namespace umbral::grader {
+namespace {
+
+bool fails(const Check& check, const CheckResult& result) { return result.score < check.points; }
+
+/// The rows that a page shows of a check.
+std::vector<RowPair*> rows_in(html::UnitDetail* detail, const std::string& check)
+{
+    std::vector<RowPair*> rows;
+    if (detail == nullptr) return rows;
+    if (auto* evidence = std::get_if<RowsEvidence>(&detail->checks[check].evidence)) {
+        for (RowPair& row : evidence->first) rows.push_back(&row);
+        for (RowPair& row : evidence->worst) rows.push_back(&row);
+    }
+    return rows;
+}
+
+/// A place in a report where the questions behind a value are shown.
+struct Shown {
+    QuestionSpan questions;
+    std::string* code;
+};
+
+/// Of more that led to one picture the first and the last are shown.
+constexpr std::uint32_t most_together = 6;
+
+/// Those of them that are shown: all, or the first and the last.
+std::vector<std::uint32_t> shown_of(const QuestionSpan& span)
+{
+    std::vector<std::uint32_t> shown;
+    const std::uint32_t left_out = span.count > most_together ? span.count - most_together : 0;
+    for (std::uint32_t i = 0; i < span.count; ++i)
+        if (i < most_together / 2 || i >= most_together / 2 + left_out) shown.push_back(span.first + i);
+    return shown;
+}
+
+/// Questions below each other; where more than one led to a value, how many is said.
+std::string together(const QuestionSpan& span, const std::map<std::uint32_t, std::string>& code)
+{
+    const std::vector<std::uint32_t> shown = shown_of(span);
+    std::string text = span.count > 1 ? fmt::format("// {} calls in this order led to it\n", span.count) : "";
+    for (const std::uint32_t question : shown) {
+        const auto found = code.find(question);
+        if (found == code.end()) return "";
+        if (shown.size() < span.count && question == shown[most_together / 2])
+            text += fmt::format("// … {} calls left out\n", span.count - shown.size());
+        text += found->second;
+        if (question != shown.back()) text += '\n';
+    }
+    return text;
+}
+
+class CaseQuestions {
+public:
+    CaseQuestions(Worker& worker, const Exercise& exercise, const Built& built, const CaseResult& one,
+                  std::string case_name)
+        : worker_(worker),
+          exercise_(exercise),
+          built_(built),
+          one_(one),
+          case_(std::move(case_name)),
+          log_(worker.questions(exercise, case_, one.seed)),
+          runs_(worker, exercise, built, case_, one)
+    {
+    }
+
+    [[nodiscard]] bool known() const { return !log_.rows.empty() || !log_.wholes.empty(); }
+
+    void add(const Check& check, CheckResult& result, html::UnitDetail* detail, const std::string& headers)
+    {
+        const RunOutcome& run = worker_.trusted(exercise_, judged_against(check), case_, one_.seed);
+        const Tensor* expected = tensor_of(run, check.value);
+        if (expected == nullptr) return;
+        const auto show = [&](std::size_t cell, std::string& code) {
+            if (const QuestionSpan asked = log_.questions_of(check.value, cell, expected->cells()); asked.count > 0)
+                shown_.push_back({asked, &code});
+        };
+        if (result.first_difference && is_of_several(check, expected->cells(), *result.first_difference))
+            result.first_difference->cell.reset();
+        bool alone = false;
+        if (result.first_difference && result.first_difference->cell) {
+            const std::size_t cell = *result.first_difference->cell;
+            show(cell, result.first_difference->question);
+            const QuestionSpan asked = log_.questions_of(check.value, cell, expected->cells());
+            // No debugger can stop at several.
+            if (asked.count > 1) result.first_difference->cell.reset();
+            alone = !check.hidden && asked.count == 1 && may_repeat(worker_, exercise_, one_) &&
+                    is_right_alone(worker_, exercise_, built_, check, one_, asked.first, cell);
+        }
+        for (RowPair* row : rows_in(detail, check.name)) show(row->cell, row->question);
+        if (!may_repeat(worker_, exercise_, one_)) return;
+        // What wrong answers share says nothing of the cause then.
+        result.common =
+            alone ? right_alone : sentence_of(find_in_common(worker_, {exercise_, check, runs_, one_, log_, headers}));
+    }
+
+    /// Asks for the code of all that is shown.
+    void write()
+    {
+        std::set<std::uint32_t> wanted;
+        for (const Shown& one : shown_)
+            for (const std::uint32_t question : shown_of(one.questions)) wanted.insert(question);
+        if (wanted.empty()) return;
+        const std::map<std::uint32_t, std::string> code =
+            worker_.code_of(exercise_, case_, one_.seed, {wanted.begin(), wanted.end()});
+        for (const Shown& one : shown_) *one.code = together(one.questions, code);
+    }
+
+private:
+    /// Rows that one value may belong to, and that are answers to different questions: nobody knows which it is.
+    [[nodiscard]] bool is_of_several(const Check& check, std::size_t cells, const Difference& first) const
+    {
+        return std::ranges::any_of(first.others, [&](std::size_t other) {
+            return log_.questions_of(check.value, other, cells) != log_.questions_of(check.value, *first.cell, cells);
+        });
+    }
+
+    Worker& worker_;
+    const Exercise& exercise_;
+    const Built& built_;
+    const CaseResult& one_;
+    std::string case_;
+    const QuestionLog& log_;
+    CaseRuns runs_;
+    std::vector<Shown> shown_;
+};
+
+}
+
+void add_questions(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases,
+                   UnitResult& result, html::UnitDetail* detail)
+{
+    const std::string headers = interface_text(worker, exercise);
+    for (const auto& [name, one] : cases) {
+        if (!one.trouble().empty()) continue;
+        std::vector<std::size_t> failing;
+        for (std::size_t i = 0; i < exercise.checks.size(); ++i)
+            if (exercise.checks[i].case_name == name && fails(exercise.checks[i], result.checks[i]))
+                failing.push_back(i);
+        if (failing.empty()) continue;
+        CaseQuestions questions(worker, exercise, built, one, name);
+        if (!questions.known()) continue;
+        for (const std::size_t i : failing) questions.add(exercise.checks[i], result.checks[i], detail, headers);
+        questions.write();
+    }
+    add_simplest_question(worker, exercise, built, cases, result);
+}
+
+}

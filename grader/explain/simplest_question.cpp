@@ -1,0 +1,143 @@
+#include "explain/simplest_question.hpp"
+
+#include <algorithm>
+
+#include "explain/asked_alone.hpp"
+#include "judge/explain/resemblances.hpp"
+#include "judge/judges.hpp"
+#include "judge/rows/columns.hpp"
+#include "judge/rows/rows.hpp"
+#include "question/log.hpp"
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::size_t most_checks = 2;   ///< for which it is looked for: those that are shown first
+constexpr std::size_t most_wrong = 200;  ///< rows of one run whose questions are compared
+constexpr double much_shorter = 0.75;    ///< of the first question's length
+
+/// From coarse to fine: the first at which the work is still wrong has the simplest inputs.
+constexpr Grain grains[] = {{1, 0}, {2, 0}, {2, 2}, {3, 0}, {4, 0}, {4, 4}, {6, 0}};
+
+/// How much there is to look at in a question: the letters that are shown of it, and the elements of its lists.
+double length_of(const QuestionLog& log, std::uint32_t question, const std::string& code)
+{
+    constexpr double letters_an_element = 10;
+    double length = static_cast<double>(code.size());
+    if (const QuestionKind* kind = log.kind_of(question))
+        for (std::size_t i = 0; i < kind->features.size(); ++i)
+            if (kind->features[i].ends_with(".size()")) length += letters_an_element * kind->questions.at(question)[i];
+    return length;
+}
+
+struct Simplest {
+    std::optional<Difference> found;
+    double length = 0;
+    std::uint32_t question = 0;
+    std::size_t row = 0;
+
+    void offer(const Simplest& other)
+    {
+        if (other.found && (!found || other.length < length)) *this = other;
+    }
+};
+
+/// The length of the question behind a check's first wrong value.
+double first_length(Worker& worker, const Exercise& exercise, const Check& check, const CaseResult& one,
+                    const Difference& first)
+{
+    const QuestionLog& log = worker.questions(exercise, check.case_name, one.seed);
+    const auto question = first.cell ? log.question_of(check.value, *first.cell, 0) : std::nullopt;
+    return question ? length_of(log, *question, first.question) : 0;
+}
+
+/// The wrong rows of one run, each with its question. False if the run took its whole time: another would, too.
+bool look_at(Worker& worker, const Exercise& exercise, const Built& built, const Check& check, const CaseResult& one,
+             const Grain& grain, Simplest& simplest)
+{
+    const auto ask = [&](Answers solution, Inquiry inquiry) {
+        inquiry.grain = grain;
+        return worker.inquire(exercise, solution, check.case_name, one.seed, inquiry);
+    };
+    const RunOutcome told = ask(Answers::reference, {.questions = true});
+    if (told.verdict != Verdict::ok) return true;
+    const RunOutcome expected = judged_against(check) == Answers::reference ? told : ask(Answers::oracle, {});
+    if (expected.verdict != Verdict::ok) return true;
+    const RunOutcome student = worker.run_coarse(exercise, built, check.case_name, one.seed, grain, expected);
+    const Expected side = expected_of(check, expected);
+    const Tensor* yours = observed(check, student);
+    if (student.verdict == Verdict::timeout) return false;
+    // A generator that draws from few bits can draw a null vector where it promises another: nobody has to answer then.
+    if (side.value == nullptr || !all_finite(to_doubles(*side.value))) return true;
+    if (student.verdict != Verdict::ok || !has_single_rows(check, yours, side.value)) return true;
+    const QuestionLog log = read_questions(told.recording.tensors);
+    const std::vector<RowState> states = single_rows(check, *yours, side);
+    std::map<std::uint32_t, std::size_t> rows;
+    for (std::size_t row = 0; row < states.size() && rows.size() < most_wrong; ++row)
+        if (const auto question = log.question_of(check.value, row, states.size());
+            states[row] == RowState::wrong && question)
+            rows.emplace(*question, row);
+    if (rows.empty()) return true;
+    Inquiry inquiry;
+    for (const auto& [question, row] : rows) inquiry.wanted.push_back(question);
+    const RunOutcome written = ask(Answers::reference, inquiry);
+    if (written.verdict != Verdict::ok) return true;
+    const RowKind& kind = rows_of(check);
+    const TensorView view(*yours);
+    const TensorView right(*side.value);
+    const auto columns = column_names(text_of(side.names), right.components(), check.value);
+    Simplest best;
+    for (const auto& [question, code] : read_questions(written.recording.tensors).code) {
+        const auto found = rows.find(question);
+        // Of few bits a vector may be null, and what the driver makes of it no number: no question of the unit's.
+        if (found == rows.end() || code.find("NAN") != std::string::npos) continue;
+        const RowPairs pairs{check, view, right, kind, columns};
+        const auto [where, mine, reference, cell, none, others] = row_difference(pairs, found->second);
+        best.offer({Difference{wrong_columns(pairs, found->second), mine, reference, std::nullopt, code},
+                    length_of(log, question, code), question, found->second});
+    }
+    if (!best.found || (simplest.found && simplest.length <= best.length)) return true;
+    // What is wrong only after other questions shows nothing.
+    const RunOutcome alone =
+        worker.run_coarse(exercise, built, check.case_name, one.seed, grain, expected, only(best.question));
+    if (!is_row_right(check, alone, side, {log, best.question, best.row})) simplest.offer(best);
+    return true;
+}
+
+bool can_be_simpler(const Check& check, const CheckResult& result)
+{
+    const JudgeRecord& judge = judge_of(check);
+    // Where the answer depends on the calls before, another question shows nothing.
+    return result.common != right_alone && result.score < check.points && !check.hidden && !check.relation &&
+           !judge.free_rows && judge.plain_values && judge.look == Look::none && result.first_difference &&
+           !result.first_difference->question.empty();
+}
+
+}
+
+void add_simplest_question(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases,
+                           UnitResult& result)
+{
+    std::vector<std::size_t> checks;
+    for (std::size_t i = 0; i < exercise.checks.size(); ++i)
+        if (can_be_simpler(exercise.checks[i], result.checks[i]) &&
+            may_repeat(worker, exercise, cases.at(exercise.checks[i].case_name)))
+            checks.push_back(i);
+    std::ranges::stable_sort(checks, {}, [&](std::size_t i) { return judge_of(exercise.checks[i]).place; });
+    if (checks.size() > most_checks) checks.resize(most_checks);
+    for (const std::size_t i : checks) {
+        const Check& check = exercise.checks[i];
+        Simplest simplest;
+        const bool in_time = std::ranges::all_of(grains, [&](const Grain& grain) {
+            return worker.spare_time().is_left() &&
+                   look_at(worker, exercise, built, check, cases.at(check.case_name), grain, simplest);
+        });
+        if (!in_time) return;
+        const double first =
+            first_length(worker, exercise, check, cases.at(check.case_name), *result.checks[i].first_difference);
+        if (simplest.found && simplest.length < much_shorter * first)
+            result.checks[i].simplest = std::move(simplest.found);
+    }
+}
+
+}

@@ -1,0 +1,209 @@
+#include "worker/case_results.hpp"
+
+#include <fmt/format.h>
+
+#include <sstream>
+#include <stdexcept>
+
+#include <algorithm>
+
+#include "judge/explain/resemblances.hpp"
+#include "judge/judges.hpp"
+#include "judge/rules.hpp"
+#include "model/caps.hpp"
+#include "worker/past_crashes.hpp"
+#include "worker/related.hpp"
+
+namespace umbral::grader {
+namespace {
+
+/// "recorded 4000 rows, expected 14": a value with far more cells than expected was not read at all.
+std::string too_many(const std::string& value, const RunOutcome& student, const RunOutcome& expected)
+{
+    const auto found = student.recording.oversized.find(value);
+    const Tensor* right = tensor_of(expected, value);
+    if (found == student.recording.oversized.end() || right == nullptr) return "";
+    const Oversized& shape = found->second;
+    if (shape.columns == 1) return fmt::format("recorded {} rows, expected {}", shape.rows, right->rows);
+    if (shape.rows == 1) return fmt::format("recorded {} bytes, expected {}", shape.columns, right->columns);
+    return fmt::format("recorded {} x {} cells, expected {} x {}", shape.columns, shape.rows, right->columns,
+                       right->rows);
+}
+
+/// Judges the answers before and between crashes. With one that is missing no check is all right, however much it may
+/// forgive.
+void judge_answers(const Check& check, const AnswersPastCrashes& answers, const Tensor& expected, const Tensor* margin,
+                   double control, CheckResult& result)
+{
+    const std::string trouble = std::move(result.message);
+    take_judgement(check, judge(check, answers.tensor, expected, margin), control, result);
+    const auto rows = static_cast<Millipoints>(expected.rows);
+    const auto lost = static_cast<Millipoints>(answers.lost.size());
+    result.score = std::min(result.score, result.max_score * (rows - lost) / std::max<Millipoints>(rows, 1));
+    if (lost == 0) return;
+    if (result.first_difference && result.first_difference->cell &&
+        std::ranges::binary_search(answers.lost, *result.first_difference->cell))
+        result.first_difference->yours = "no answer";
+    result.message = fmt::format("{} of {} rows have no answer: {}", lost, rows, trouble);
+}
+
+/// What the unit said when it refused what it was asked for this row; empty if it did not.
+std::string refusal_of(const std::string& value, const RunOutcome& student, std::size_t row)
+{
+    std::istringstream lines{std::string(text_of(tensor_of(student, value + std::string(refusals::suffix))))};
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t tab = line.find('\t');
+        if (tab != std::string::npos && line.substr(0, tab) == std::to_string(row))
+            return one_line(line.substr(tab + 1));
+    }
+    return "";
+}
+
+/// Says of the first wrong value that it is none, where the unit refused what it was asked.
+void add_refusal(const Check& check, const RunOutcome& student, CheckResult& result)
+{
+    if (!result.first_difference || !result.first_difference->cell) return;
+    const std::string why = refusal_of(check.value, student, *result.first_difference->cell);
+    if (why.empty()) return;
+    result.first_difference->yours = fmt::format("refused: {}", why);
+    for (std::string* const text : {&result.message, &result.headline})
+        if (!text->empty()) *text += fmt::format("; at {} yours refused: {}", result.first_difference->where, why);
+}
+
+bool ran_into_the_limit(const CaseResult& one) { return one.reached && one.student.verdict == Verdict::timeout; }
+
+}
+
+bool may_run_another(const CaseResults& cases)
+{
+    return std::count_if(cases.begin(), cases.end(),
+                         [](const auto& entry) { return ran_into_the_limit(entry.second); }) < caps::timeouts;
+}
+
+CaseResult not_reached(std::uint64_t seed, bool hidden)
+{
+    CaseResult one;
+    one.seed = seed;
+    one.hidden = hidden;
+    one.reached = false;
+    one.student.verdict = Verdict::timeout;
+    return one;
+}
+
+std::string CaseResult::trouble() const
+{
+    if (!reached)
+        return fmt::format(
+            "not reached: {} cases ran into the time limit, so this one was not run; it earns nothing until that loop "
+            "ends",
+            caps::timeouts);
+    if (is_stub()) return std::string(in_words(Verdict::not_implemented));
+    if (student.verdict == Verdict::ok) return "";
+    std::string text = fmt::format("{}: {}", in_words(student.verdict), student.message);
+    if (!place.empty()) text += " at " + one_line(place);
+    if (!asked.empty()) text += "; asked " + one_line(asked, caps::question);
+    return text;
+}
+
+std::vector<std::string> values_of(const Check& check)
+{
+    std::vector<std::string> values{check.value};
+    if (check.relation) values.push_back(check.relation->to);
+    if (check.relation && !check.relation->unlike.empty()) values.push_back(check.relation->unlike);
+    return values;
+}
+
+std::string kept_from_judging(const Check& check, const CaseResult& one, const RunOutcome& expected)
+{
+    if (std::string trouble = one.trouble(); !trouble.empty()) return trouble;
+    for (const std::string& value : values_of(check))
+        if (std::string many = too_many(value, one.student, expected); !many.empty()) return many;
+    return observed(check, one.student) == nullptr ? "nothing was recorded: the run was disturbed" : "";
+}
+
+CheckResult blank_result(const Check& check)
+{
+    CheckResult result;
+    result.name = check.name;
+    result.kind = check.judge;
+    result.hard = check.hard;
+    result.hidden = check.hidden;
+    result.max_score = check.points;
+    return result;
+}
+
+const Tensor* tensor_of(const RunOutcome& run, const std::string& name)
+{
+    const auto found = run.recording.tensors.find(name);
+    return found == run.recording.tensors.end() ? nullptr : &found->second;
+}
+
+Expected expected_of(const Check& check, const RunOutcome& run)
+{
+    return {tensor_of(run, check.value), tensor_of(run, check.value + ".margin"),
+            tensor_of(run, check.value + ".names")};
+}
+
+bool has_single_rows(const Check& check, const Tensor* student, const Tensor* expected)
+{
+    return student != nullptr && expected != nullptr && !check.relation && !judge_of(check).free_rows &&
+           judge_of(check).plain_values && well_formed(*student) && well_formed(*expected) &&
+           !shape_error(check, *student, *expected);
+}
+
+std::vector<RowState> single_rows(Check check, const Tensor& student, const Expected& expected)
+{
+    check.pairs = false;
+    return row_states(check, student, *expected.value, expected.margin, rows_of(check));
+}
+
+const Tensor* observed(const Check& check, const RunOutcome& run)
+{
+    static const Tensor nothing;
+    const Tensor* tensor = tensor_of(run, check.value);
+    if (run.recording.oversized.contains(check.value)) return nullptr;
+    return tensor == nullptr && judge_of(check).nothing_is_empty ? &nothing : tensor;
+}
+
+CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected_run,
+                        const CheckBasis& basis)
+{
+    CheckResult result = blank_result(check);
+    const auto [expected, margin, names] = expected_of(check, expected_run);
+    result.reference_error = basis.reference_error;
+    result.message = kept_from_judging(check, one, expected_run);
+    if (!result.message.empty()) {
+        if (const auto answers = answers_past_crashes(check, one, *expected))
+            judge_answers(check, *answers, *expected, margin, basis.control, result);
+        return result;
+    }
+    const Judgement judgement = check.relation
+                                    ? RelationJudge(check, related_tensors(check, expected_run), margin, one.seed)
+                                          .judge(related_tensors(check, one.student), names)
+                                    : judge(check, *observed(check, one.student), *expected, margin, names);
+    take_judgement(check, judgement, basis.control, result);
+    add_refusal(check, one.student, result);
+    if (judge_of(check).judge_both != nullptr) result.seeds = {one.seed};
+    return result;
+}
+
+CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected_run,
+                        const RunOutcome& reference_run)
+{
+    return judge_check(check, one, expected_run, basis_of(check, expected_run, reference_run, one.seed));
+}
+
+void take_judgement(const Check& check, const Judgement& judgement, double control, CheckResult& result)
+{
+    result.score = points_for(check, judgement.right, control);
+    result.error = judgement.error;
+    result.message = judgement.message;
+    result.headline = judgement.headline;
+    result.metrics = judgement.metrics;
+    result.metrics["right"] = judgement.right;
+    result.first_difference = judgement.first_difference;
+    result.sketch = judgement.sketch;
+    result.borderline = judgement.borderline;
+}
+
+}

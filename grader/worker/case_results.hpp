@@ -1,0 +1,85 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "judge/judge.hpp"
+#include "judge/rows/rows.hpp"
+#include "model/exercise.hpp"
+#include "model/scorecard.hpp"
+#include "run/spawner.hpp"
+#include "worker/check_basis.hpp"
+
+namespace umbral::grader {
+
+/// The student's run of one case.
+struct CaseResult {
+    std::uint64_t seed = 0;
+    bool hidden = false;
+    bool reached = true;  ///< false: too many cases ran into the time limit before, so that this one was not run
+    RunOutcome student;
+    std::string place;  ///< where it crashed: "sphere.cpp:17"
+    double reference_seconds = 0;
+    std::string asked{};               ///< the question in which the run ended, as code; empty if it is not known
+    std::optional<RunOutcome> past{};  ///< the same without the questions in which it crashed (past_crashes.hpp)
+
+    [[nodiscard]] bool is_stub() const
+    {
+        return student.verdict == Verdict::ok && student.recording.not_implemented > 0;
+    }
+    /// What kept the case from being judged, in words; empty if nothing did.
+    [[nodiscard]] std::string trouble() const;
+};
+using CaseResults = std::map<std::string, CaseResult>;
+
+/// May another case of the unit be run? Not after caps::timeouts of them ran into the time limit: a submission in which
+/// everything hangs costs that many limits and no more.
+[[nodiscard]] bool may_run_another(const CaseResults& cases);
+/// A case that was not run for that reason. It earns nothing.
+[[nodiscard]] CaseResult not_reached(std::uint64_t seed, bool hidden);
+
+/// What kept a check from being judged by its case's run, in words, and nothing if it can be: the case's trouble,
+/// values of which far more rows were recorded than expected, or which are missing.
+[[nodiscard]] std::string kept_from_judging(const Check& check, const CaseResult& one, const RunOutcome& expected);
+
+/// The names under which a case records what this check looks at.
+[[nodiscard]] std::vector<std::string> values_of(const Check& check);
+
+/// A check that earned nothing yet.
+[[nodiscard]] CheckResult blank_result(const Check& check);
+
+/// Judges one check of a case against what was expected (the oracle's or the reference's run), with the best control
+/// earning nothing.
+[[nodiscard]] CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected,
+                                      const CheckBasis& basis);
+/// The same, with the basis worked out anew; throws as basis_of does.
+[[nodiscard]] CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected,
+                                      const RunOutcome& reference);
+
+/// Puts what a judge found into a check's result, with the best control (the fraction right that it gets) earning
+/// nothing.
+void take_judgement(const Check& check, const Judgement& judgement, double control, CheckResult& result);
+
+/// What a run recorded for this check, or null. Fragments and events come row by row: none at all is an empty table.
+[[nodiscard]] const Tensor* observed(const Check& check, const RunOutcome& run);
+
+/// What trusted code recorded for a check; null where it recorded nothing. judge() says what margin and names are.
+struct Expected {
+    const Tensor* value = nullptr;
+    const Tensor* margin = nullptr;
+    const Tensor* names = nullptr;
+};
+[[nodiscard]] Expected expected_of(const Check& check, const RunOutcome& run);
+
+/// Can the check's rows be compared one by one? Not with a relation, where rows are free, or where the values are not
+/// compared themselves; nor if the two are of different shapes.
+[[nodiscard]] bool has_single_rows(const Check& check, const Tensor* student, const Tensor* expected);
+/// What became of each row, whether it counts as one of a pair or not. The two have single rows.
+[[nodiscard]] std::vector<RowState> single_rows(Check check, const Tensor& student, const Expected& expected);
+
+/// The recorded tensor of that name, or null.
+[[nodiscard]] const Tensor* tensor_of(const RunOutcome& run, const std::string& name);
+
+}

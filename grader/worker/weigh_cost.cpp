@@ -1,0 +1,126 @@
+#include "worker/weigh_cost.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <umbral/record/cost.hpp>
+#include <utility>
+
+#include "judge/cost/answers.hpp"
+#include "judge/cost/cost.hpp"
+#include "judge/cost/outside_cost.hpp"
+#include "judge/judges.hpp"
+#include "judge/parameters.hpp"
+#include "judge/rows/tensor_view.hpp"
+#include "worker/spare_time.hpp"
+
+namespace umbral::grader {
+namespace {
+
+/// Of each side with each amount of work: enough for one that nothing ran beside.
+constexpr int runs = 7;
+
+/// Processor time of one run in milliseconds.
+double milliseconds_of(const RunOutcome& run)
+{
+    if (run.verdict == Verdict::grader_fault) throw std::runtime_error(run.message);
+    return 1000 * run.cpu_seconds;
+}
+
+/// One side of the comparison: the student's library, or the reference if there is none.
+struct Side {
+    const Built* built;
+    OutsideCost least{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
+                      std::numeric_limits<double>::max()};
+};
+
+/// In which row the answers to the work are wrong, if in any.
+std::optional<std::size_t> wrong_answer(const Check& check, const RunOutcome& student, const RunOutcome& reference)
+{
+    const std::string name = check.value + std::string(cost_answers_suffix);
+    return first_wrong_answer(tensor_of(student, name), tensor_of(reference, name));
+}
+
+std::optional<std::string> measured_objection(Worker& worker, const Exercise& exercise, const Check& check,
+                                              const Built& built, std::uint64_t seed, const std::vector<double>& sizes,
+                                              std::string_view names, SpareTime& time)
+{
+    Side student{&built};
+    Side reference{nullptr};
+    bool left_out = false;
+    const auto take = [&](Side& side, std::size_t count, double OutsideCost::*least) {
+        RunOutcome run = worker.run_limited(exercise, side.built, check.case_name, seed, {check.value, count});
+        const Tensor* table = tensor_of(run, check.value);
+        left_out = left_out || (table == nullptr ? 0 : table->rows) != count;
+        side.least.*least = std::min(side.least.*least, milliseconds_of(run));
+        return run;
+    };
+    for (int i = 0; i < runs && (i == 0 || time.is_left()); ++i)
+        for (const auto& [count, least] : {std::pair{std::size_t{0}, &OutsideCost::nothing},
+                                           {sizes_to_compare(sizes), &OutsideCost::first_sizes},
+                                           {sizes.size(), &OutsideCost::all_sizes}}) {
+            const RunOutcome theirs = take(student, count, least);
+            const RunOutcome ours = take(reference, count, least);
+            time.spend(std::max(theirs.cpu_seconds, theirs.wall_seconds));
+            // Whoever notices that the work is measured, and not looked at, could leave it.
+            left_out = left_out || wrong_answer(check, theirs, ours);
+        }
+    if (left_out) return "when the work was asked for again, to measure its time, it was not done";
+    return objection_from_outside(student.least, reference.least, sizes, parameters_of<CostParameters>(check).growth,
+                                  names);
+}
+
+std::optional<std::string> objection_to(Worker& worker, const Exercise& exercise, const Check& check,
+                                        const Built& built, const CaseResult& one)
+{
+    const RunOutcome& reference = worker.trusted(exercise, Answers::reference, check.case_name, one.seed);
+    const auto cost = cost_of(*tensor_of(reference, check.value));
+    if (!cost) throw std::runtime_error("check '" + check.name + "': the reference recorded no table of costs");
+    std::vector<double> sizes;
+    for (const CostRow& row : *cost) sizes.push_back(row.size);
+    if (const auto row = wrong_answer(check, one.student, reference))
+        return fmt::format("the answer for the size {} is not right: work that leads to no right answer earns nothing",
+                           count_text(sizes[std::min(*row, sizes.size() - 1)]));
+    if (!is_worth_measuring(milliseconds_of(one.student), milliseconds_of(reference))) return std::nullopt;
+    // What ran beside may have cost one side more than the other: who loses points was too slow twice.
+    const std::string_view names = text_of(expected_of(check, reference).names);
+    // As long as one run may take: whoever takes all of that each time, and has the grader run it again and again, is
+    // too slow by more than noise.
+    SpareTime time;
+    time.allow(exercise.limits.wall_seconds);
+    auto objection = measured_objection(worker, exercise, check, built, one.seed, sizes, names, time);
+    if (!objection || !time.is_left()) return objection;
+    return measured_objection(worker, exercise, check, built, one.seed, sizes, names, time);
+}
+
+}
+
+void weigh_costs(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases,
+                 UnitResult& result)
+{
+    for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
+        const Check& check = exercise.checks[i];
+        CheckResult& earned = result.checks[i];
+        if (!judge_of(check).counts_work || earned.score == 0) continue;
+        auto objection = objection_to(worker, exercise, check, built, cases.at(check.case_name));
+        if (!objection) continue;
+        earned.score = 0;
+        earned.metrics["right"] = 0;
+        earned.message = *std::move(objection);
+    }
+}
+
+std::optional<Check> check_of_answers(const Check& check, const RunOutcome& student, const RunOutcome& expected)
+{
+    if (!judge_of(check).counts_work || !wrong_answer(check, student, expected)) return std::nullopt;
+    Check answers = check;
+    answers.value += cost_answers_suffix;
+    answers.judge = JudgeKind{"numbers"};
+    answers.tolerance = {};
+    answers.tolerance.absolute = answers.tolerance.relative = answer_tolerance;
+    return answers;
+}
+
+}

@@ -1,0 +1,292 @@
+#include "worker/worker.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <umbral/record/cost.hpp>
+
+#include "build/build_cache.hpp"
+#include "judge/judges.hpp"
+#include "model/caps.hpp"
+#include "model/digest.hpp"
+#include "store/kept_run.hpp"
+#include "worker/ask_question.hpp"
+#include "worker/case_results.hpp"
+#include "worker/known_solutions.hpp"
+#include "worker/packaged_unit.hpp"
+#include "worker/run_roots.hpp"
+#include "worker/seeds.hpp"
+#include "worker/unit_key.hpp"
+
+namespace umbral::grader {
+namespace {
+
+/// Enough for the visible cases of a good part of a course; hidden seeds differ by student and push old runs out.
+constexpr std::size_t most_remembered = std::size_t{384} << 20U;
+
+std::string key_of(const Exercise& exercise, const std::string& who, const std::string& case_name, std::uint64_t seed)
+{
+    return fmt::format("{}\n{}\n{}\n{}", exercise.id, who, case_name, seed);
+}
+
+/// Keeping is for speed alone: a cache that cannot be written costs nobody a result.
+void try_to_keep(const std::filesystem::path& file, const RunOutcome& outcome) noexcept
+try {
+    std::filesystem::create_directories(file.parent_path());
+    keep_run(file, {outcome.recording.tensors, outcome.cpu_seconds});
+} catch (const std::exception&) {
+}
+
+const char* to_string(Answers solution) { return solution == Answers::reference ? "reference" : "oracle"; }
+
+/// How many cells of a value are read where `expected` were: so many more that any honest mistake can be shown.
+std::size_t most_cells(const Check& check, std::size_t expected)
+{
+    return caps::rows_factor * expected + judge_of(check).more_cells;
+}
+
+}
+
+Worker::Worker(Toolchain tools, std::string gl_backend)
+    : tools_(std::move(tools)), gl_backend_(std::move(gl_backend)), roots_(run_roots(tools_))
+{
+}
+
+Spawner& Worker::spawner(bool gl)
+{
+    std::unique_ptr<Spawner>& wanted = gl ? gl_ : plain_;
+    const char* const program = gl ? "umbral-spawner-gl" : "umbral-spawner";
+    if (!wanted) wanted = std::make_unique<Spawner>(tools_.programs / program, gl_backend_);
+    return *wanted;
+}
+
+RunRequest Worker::request(const Exercise& exercise, const std::string& case_name, std::uint64_t seed) const
+{
+    RunRequest wanted;
+    wanted.driver = unit_folder(tools_, exercise.id) / "driver.so";
+    wanted.case_name = case_name;
+    wanted.stream = stream_of(exercise, case_name, seed);
+    wanted.limits = exercise.limits;
+    wanted.roots = roots_;
+    wanted.roots.push_back(wanted.driver.parent_path().string());
+    return wanted;
+}
+
+WantedTensors Worker::wanted(const Exercise& exercise, const std::string& case_name, std::uint64_t seed)
+{
+    WantedTensors wanted;
+    for (const Check& check : exercise.checks) {
+        if (check.case_name != case_name) continue;
+        const RunOutcome& expected = trusted(exercise, judged_against(check), case_name, seed);
+        for (const std::string& value : values_of(check)) {
+            const Tensor* tensor = tensor_of(expected, value);
+            std::size_t& most = wanted[value];
+            most = std::max(most, most_cells(check, tensor == nullptr ? 0 : tensor->cells()));
+            wanted[value + std::string(refusals::suffix)] = refusals::most_bytes;
+            if (judge_of(check).counts_work) wanted[value + std::string(cost_answers_suffix)] = most;
+        }
+    }
+    return wanted;
+}
+
+RunRequest Worker::students_request(const Exercise& exercise, const Built& built, const std::string& case_name,
+                                    std::uint64_t seed)
+{
+    RunRequest wanted = request(exercise, case_name, seed);
+    wanted.solution = built.library;
+    wanted.mutant = built.mutant;
+    wanted.fresh_memory = built.fresh_memory;
+    wanted.wanted = this->wanted(exercise, case_name, seed);
+    wanted.roots.push_back(built.library.parent_path().string());
+    // Only what the unit asks for: other files are nothing to the driver.
+    for (const auto& [name, text] : built.sources)
+        if (std::ranges::find(exercise.files, name) != exercise.files.end()) wanted.sources.emplace(name, text);
+    return wanted;
+}
+
+std::filesystem::path Worker::library_of(const Exercise& exercise, const std::string& name)
+{
+    if (!unveiled_ && is_veiled(tools_, exercise, name)) unveiled_ = std::make_unique<ScratchFolder>(tools_.cache);
+    return answer_library(tools_, exercise, name, unveiled_ ? unveiled_->path() : std::filesystem::path());
+}
+
+RunRequest Worker::trusted_request(const Exercise& exercise, Answers solution, const std::string& case_name,
+                                   std::uint64_t seed)
+{
+    RunRequest wanted = request(exercise, case_name, seed);
+    if (exercise.is_cpp()) wanted.solution = library_of(exercise, to_string(solution));
+    wanted.sources = texts_of(reference_shaders(tools_, exercise));
+    return wanted;
+}
+
+RunOutcome Worker::run(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed)
+{
+    if (!built.mistake.empty()) return run_known(exercise, "mistakes/" + built.mistake, built.sources, case_name, seed);
+    return spawner(exercise.gl).run(students_request(exercise, built, case_name, seed));
+}
+
+RunOutcome Worker::run_past(const Exercise& exercise, const Built& built, const std::string& case_name,
+                            std::uint64_t seed, const PassedOver& passed_over)
+{
+    RunRequest wanted = students_request(exercise, built, case_name, seed);
+    wanted.passed_over = passed_over;
+    for (const auto& [name, most] : WantedTensors(wanted.wanted))
+        wanted.wanted.emplace(std::string(rows_without_answer) + name, most);
+    return spare_time_.spent_on(spawner(exercise.gl).run(wanted));
+}
+
+RunOutcome Worker::run_limited(const Exercise& exercise, const Built* built, const std::string& case_name,
+                               std::uint64_t seed, const CostLimit& costs)
+{
+    RunRequest wanted = built != nullptr ? students_request(exercise, *built, case_name, seed)
+                                         : trusted_request(exercise, Answers::reference, case_name, seed);
+    wanted.costs = costs;
+    return spawner(exercise.gl).run(wanted);
+}
+
+const RunOutcome& Worker::trusted(const Exercise& exercise, Answers solution, const std::string& case_name,
+                                  std::uint64_t seed)
+{
+    const char* name = to_string(solution);
+    return known(exercise, name, case_name, seed, [&] {
+        RunOutcome outcome = spawner(exercise.gl).run(trusted_request(exercise, solution, case_name, seed));
+        if (outcome.verdict != Verdict::ok)
+            throw std::runtime_error(fmt::format("{}: the {} did not finish case '{}' ({}): {}", exercise.id, name,
+                                                 case_name, to_string(outcome.verdict), outcome.message));
+        return outcome;
+    });
+}
+
+RunOutcome Worker::inquire(const Exercise& exercise, Answers solution, const std::string& case_name, std::uint64_t seed,
+                           const Inquiry& inquiry, const std::optional<Limits>& limits)
+{
+    RunRequest wanted = trusted_request(exercise, solution, case_name, seed);
+    wanted.inquiry = inquiry;
+    if (limits) wanted.limits = *limits;
+    return spawner(exercise.gl).run(wanted);
+}
+
+const QuestionLog& Worker::questions(const Exercise& exercise, const std::string& case_name, std::uint64_t seed)
+{
+    const std::string key = key_of(exercise, "questions", case_name, seed);
+    if (const auto found = questions_.find(key); found != questions_.end()) return found->second;
+    const RunOutcome told = inquire(exercise, Answers::reference, case_name, seed, {.questions = true});
+    QuestionLog log = told.verdict == Verdict::ok ? read_questions(told.recording.tensors) : QuestionLog{};
+    for (const QuestionKind& kind : log.kinds)
+        remembered_bytes_ += kind.questions.size() * kind.features.size() * sizeof(double);
+    return questions_.emplace(key, std::move(log)).first->second;
+}
+
+std::map<std::uint32_t, std::string> Worker::code_of(const Exercise& exercise, const std::string& case_name,
+                                                     std::uint64_t seed, std::vector<std::uint32_t> questions)
+{
+    const RunOutcome told = inquire(exercise, Answers::reference, case_name, seed, {.wanted = std::move(questions)});
+    if (told.verdict != Verdict::ok) return {};
+    return read_questions(told.recording.tensors).code;
+}
+
+RunOutcome Worker::run_told(const Exercise& exercise, const Built& built, const std::string& case_name,
+                            std::uint64_t seed)
+{
+    RunRequest wanted = students_request(exercise, built, case_name, seed);
+    wanted.inquiry.questions = true;
+    for (const auto& [name, most] : WantedTensors(wanted.wanted))
+        wanted.wanted.emplace(std::string(question_names::rows) + name, most);
+    return spare_time_.spent_on(spawner(exercise.gl).run(wanted));
+}
+
+RunOutcome Worker::run_coarse(const Exercise& exercise, const Built& built, const std::string& case_name,
+                              std::uint64_t seed, const Grain& grain, const RunOutcome& expected,
+                              const PassedOver& passed_over)
+{
+    RunRequest wanted = students_request(exercise, built, case_name, seed);
+    wanted.passed_over = passed_over;
+    for (auto& [value, cells] : wanted.wanted)
+        if (const Tensor* tensor = tensor_of(expected, value)) cells = tensor->cells();
+    wanted.inquiry.grain = grain;
+    return spare_time_.spent_on(spawner(exercise.gl).run(wanted));
+}
+
+RunOutcome Worker::answer_of(const Exercise& exercise, const std::filesystem::path& library,
+                             const std::filesystem::path& driver)
+{
+    RunRequest wanted = request(exercise, asked_case, 0);
+    wanted.driver = driver;
+    wanted.solution = library;
+    wanted.roots.push_back(driver.parent_path().string());
+    wanted.roots.push_back(library.parent_path().string());
+    return spawner(exercise.gl).run(wanted);
+}
+
+RunOutcome Worker::answer(const Exercise& exercise, Answers solution, const std::filesystem::path& driver)
+{
+    return answer_of(exercise, library_of(exercise, to_string(solution)), driver);
+}
+
+const RunOutcome& Worker::run_known(const Exercise& exercise, const std::string& library, const Sources& sources,
+                                    const std::string& case_name, std::uint64_t seed)
+{
+    return known(exercise, library, case_name, seed, [&] {
+        RunRequest wanted = request(exercise, case_name, seed);
+        if (exercise.is_cpp()) wanted.solution = library_of(exercise, library);
+        wanted.sources = texts_of(sources);
+        wanted.wanted = this->wanted(exercise, case_name, seed);
+        return spawner(exercise.gl).run(wanted);
+    });
+}
+
+const CheckBasis& Worker::basis(const Exercise& exercise, const Check& check, std::uint64_t seed)
+{
+    const std::string key = key_of(exercise, "basis of " + check.name, check.case_name, seed);
+    if (const auto found = bases_.find(key); found != bases_.end()) return found->second;
+    const RunOutcome& expected = trusted(exercise, judged_against(check), check.case_name, seed);
+    const RunOutcome& reference = trusted(exercise, Answers::reference, check.case_name, seed);
+    return bases_.emplace(key, basis_of(check, expected, reference, seed)).first->second;
+}
+
+std::filesystem::path Worker::kept_file(const Exercise& exercise, const std::string& who, const std::string& case_name,
+                                        std::uint64_t seed) const
+{
+    if (!keys_ || is_hidden_case(exercise, case_name)) return {};
+    return entry_of(runs_folder(tools_.cache), keys_->of_unit(exercise)) /
+           sha256_hex(key_of(exercise, who, case_name, seed));
+}
+
+const RunOutcome& Worker::known(const Exercise& exercise, const std::string& who, const std::string& case_name,
+                                std::uint64_t seed, const std::function<RunOutcome()>& run)
+{
+    const std::string key = key_of(exercise, who, case_name, seed);
+    if (const auto found = remembered_.find(key); found != remembered_.end()) return found->second;
+    const std::filesystem::path file = kept_file(exercise, who, case_name, seed);
+    if (file.empty()) return remember(key, run());
+    if (std::optional<KeptRun> kept = kept_run(file)) {
+        RunOutcome outcome;
+        outcome.verdict = Verdict::ok;
+        outcome.recording.stage = wire::Stage::finished;
+        outcome.recording.tensors = std::move(kept->tensors);
+        outcome.cpu_seconds = kept->cpu_seconds;
+        return remember(key, std::move(outcome));
+    }
+    RunOutcome outcome = run();
+    if (outcome.verdict == Verdict::ok && outcome.recording.oversized.empty()) try_to_keep(file, outcome);
+    return remember(key, std::move(outcome));
+}
+
+const RunOutcome& Worker::remember(const std::string& key, RunOutcome outcome)
+{
+    std::size_t bytes = sizeof outcome;
+    for (const auto& [name, tensor] : outcome.recording.tensors) bytes += tensor.bytes.size() + tensor.present.size();
+    remembered_bytes_ += bytes;
+    return remembered_.emplace(key, std::move(outcome)).first->second;
+}
+
+void Worker::forget_if_full()
+{
+    if (remembered_bytes_ <= most_remembered) return;
+    remembered_.clear();
+    questions_.clear();
+    bases_.clear();
+    remembered_bytes_ = 0;
+}
+
+}

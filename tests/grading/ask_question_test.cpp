@@ -1,0 +1,77 @@
+#include "worker/ask_question.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/workbench.hpp"
+#include "worker/known_solutions.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+constexpr const char* question = "intersect(Ray{{8, -3, 4}, {-1, 0, 0}, 0, INFINITY}, Sphere{{0, 0, 0}, 13})";
+
+class AskQuestion : public testing::Test {
+protected:
+    Workbench bench;
+    Exercise sphere = bench.exercise("raytracing/sphere");
+    Worker worker{bench.tools()};
+
+    AskedQuestion ask(const std::string& text, const std::string& asked = question)
+    {
+        return ask_question(worker, sphere, bench.build_sphere(text), asked);
+    }
+    /// The reference with one text in place of another.
+    [[nodiscard]] std::string changed(const std::string& from, const std::string& to) const
+    {
+        std::string text = reference_sources(bench.tools().reference, sphere).begin()->second;
+        EXPECT_NE(text.find(from), std::string::npos) << from;
+        return text.replace(text.find(from), from.size(), to);
+    }
+};
+
+TEST_F(AskQuestion, gives_the_answers_of_all_three_solutions)
+{
+    const AskedQuestion asked = ask(changed("return t;", "return 2.0F * t;"));
+    ASSERT_EQ(asked.refused, "");
+    ASSERT_TRUE(asked.yours.given && asked.reference.given && asked.oracle);
+    EXPECT_EQ(asked.reference.text, asked.oracle->text);
+    EXPECT_EQ(asked.reference.text, "20");
+    EXPECT_EQ(asked.yours.text, "40");
+}
+
+TEST_F(AskQuestion, takes_lines_that_make_what_is_asked_about)
+{
+    const AskedQuestion asked =
+        ask(changed("return t;", "return t;"),
+            "const Ray ray{{0, 0, 9}, {0, 0, 1}, 0, INFINITY};\nray.origin + 2.0F * ray.direction");
+    ASSERT_EQ(asked.refused, "");
+    EXPECT_EQ(asked.yours.text, "glm::vec3{0, 0, 11}");
+    EXPECT_EQ(asked.yours.names, (std::vector<std::string>{"x", "y", "z"}));
+    EXPECT_EQ(asked.yours.numbers, (std::vector<double>{0, 0, 11}));
+}
+
+TEST_F(AskQuestion, refuses_what_does_not_compile_with_the_compilers_message)
+{
+    const std::string refused = ask(changed("return t;", "return t;"), "1 +\nintersect(nothing)").refused;
+    EXPECT_NE(refused.find("question:2:"), std::string::npos) << refused;
+    EXPECT_EQ(refused.find(bench.tools().cache.string()), std::string::npos) << refused;
+    EXPECT_NE(ask(changed("return t;", "return t;"), "({ __asm__(\"nop\"); 1; })").refused, "");
+}
+
+TEST_F(AskQuestion, tells_how_a_run_ended_that_gave_no_answer)
+{
+    const AskedQuestion asked = ask(changed("return t;", "__builtin_trap();"));
+    EXPECT_FALSE(asked.yours.given);
+    EXPECT_NE(asked.yours.text, "");
+    EXPECT_TRUE(asked.reference.given);
+}
+
+TEST_F(AskQuestion, is_for_units_whose_functions_need_nothing_else)
+{
+    EXPECT_EQ(not_askable(sphere), "");
+    for (const char* const unit : {"lighting/shaders", "pipeline/draw-immediate", "interaction/callbacks"})
+        EXPECT_NE(not_askable(bench.exercise(unit)), "") << unit;
+}
+
+}
+}

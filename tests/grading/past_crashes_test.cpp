@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include "spoilt_reference.hpp"
+
+// One edge case that crashes does not cost what has nothing to do with it.
+namespace umbral::grader::test {
+namespace {
+
+class PastCrashes : public SpoiltReference {
+protected:
+    /// The reference, which does this where `condition` holds.
+    UnitResult grade(const std::string& condition, const std::string& statement)
+    {
+        const std::string begin = "const float a = dot(";
+        return SpoiltReference::grade(begin, "if (" + condition + ") " + statement + "\n    " + begin);
+    }
+};
+
+constexpr const char* null_write = "*static_cast<volatile int*>(nullptr) = 1;";
+/// Some rays of the case "ends", that hit nothing: which is what an answer that is missing looks like, and still wrong.
+constexpr const char* seldom = "ray.t_min == 4";
+
+TEST_F(PastCrashes, what_has_nothing_to_do_with_them_is_judged)
+{
+    const UnitResult result = grade(seldom, null_write);
+    const CheckResult& ends = check(result, "ends/t");
+    EXPECT_GT(ends.score, 0);
+    EXPECT_LT(ends.score, ends.max_score);
+    EXPECT_NE(ends.message.find(" rows have no answer: crashed: signal 11"), std::string::npos) << ends.message;
+    EXPECT_EQ(check(result, "inside/t").score, check(result, "inside/t").max_score);
+    EXPECT_EQ(result.verdict, Verdict::partial);
+}
+
+TEST_F(PastCrashes, are_told_with_the_question_that_led_to_them)
+{
+    const UnitResult result = grade(seldom, null_write);
+    EXPECT_NE(result.message.find("; asked intersect(Ray{"), std::string::npos) << result.message;
+}
+
+TEST_F(PastCrashes, exceptions_are_no_different)
+{
+    const UnitResult result = grade(seldom, "throw 1;");
+    EXPECT_GT(check(result, "ends/t").score, 0);
+    EXPECT_LT(check(result, "ends/t").score, check(result, "ends/t").max_score);
+}
+
+TEST_F(PastCrashes, neither_is_memory_that_is_not_there)
+{
+    const UnitResult result = grade(seldom, "return std::vector<float>(std::size_t{1} << 40)[0];");
+    EXPECT_EQ(check(result, "inside/t").score, check(result, "inside/t").max_score);
+    EXPECT_GT(check(result, "ends/t").score, 0);
+    EXPECT_LT(check(result, "ends/t").score, check(result, "ends/t").max_score);
+    EXPECT_NE(result.message.find("your code asked for more than"), std::string::npos) << result.message;
+    EXPECT_NE(result.message.find("; asked intersect(Ray{"), std::string::npos) << result.message;
+}
+
+TEST_F(PastCrashes, an_endless_loop_costs_what_comes_after_it)
+{
+    exercise.limits.wall_seconds = 3;
+    const UnitResult result = grade("ray.t_min == 2 && ray.t_max == 4", "for (volatile int i = 0; i == 0;) {}");
+    const CheckResult& ends = check(result, "ends/t");
+    EXPECT_GT(ends.score, 0);
+    EXPECT_LT(ends.score, ends.max_score);
+}
+
+TEST_F(PastCrashes, code_that_always_crashes_gets_nothing)
+{
+    const UnitResult result = grade("true", null_write);
+    EXPECT_EQ(result.score, 0);
+    EXPECT_EQ(result.verdict, Verdict::crashed);
+}
+
+class PastCrashesOfOneFunction : public SpoiltReference {
+protected:
+    PastCrashesOfOneFunction() : SpoiltReference("lighting/color") {}
+};
+
+// The case asks two functions in turn, two hundred times.
+TEST_F(PastCrashesOfOneFunction, cost_nothing_of_another)
+{
+    const UnitResult result = grade("float encode_srgb(float light) { return",
+                                    "float encode_srgb(float light) { if (light > 0) throw 1; return");
+    const CheckResult& other = check(result, "to the last digit/decoded");
+    EXPECT_EQ(other.score, other.max_score) << other.message;
+    EXPECT_EQ(check(result, "to the last digit/encoded").score, 0);
+}
+
+TEST_F(PastCrashes, of_hidden_cases_only_the_kind_is_told)
+{
+    const UnitResult result = grade("ray.t_min == 0 && ray.origin.x > 5 && ray.origin.y > 5", null_write);
+    EXPECT_EQ(result.message.find("random: crashed; asked"), std::string::npos) << result.message;
+    const std::string& hidden = check(result, "random/t").message;
+    EXPECT_EQ(hidden.find("asked"), std::string::npos) << hidden;
+}
+
+}
+}
