@@ -82,15 +82,15 @@ Grid<glm::vec4> brighter(Grid<glm::vec4> texture)
     return texture;
 }
 
-// Up to three times round in both directions. The last texture has the first one's size: see random_inside. Halfway
-// they are painted over, so that a copy shows which was made of a texture when it was first asked for.
+// Up to three times round in both directions. The last texture has the first one's size: see random_inside. After
+// every ten questions they are painted over, so that a copy shows which was made of a texture earlier, of one or of all.
 void outside(Random& random, Recorder& out, Wrap wrap)
 {
     Textures textures = {random_texture(random, 8, 8), brighter(random_texture(random, 6, 10)),
                          random_texture(random, 8, 8)};
     std::vector<Query> queries;
     for (int i = 0; i < 300; ++i) {
-        if (i == 150) {
+        if (i % 10 == 9) {
             record(out, textures, std::exchange(queries, {}));
             for (Grid<glm::vec4>& texture : textures)
                 for (glm::vec4& texel : texture.cells) texel = glm::vec4(texel.y, texel.z, texel.w, texel.x);
