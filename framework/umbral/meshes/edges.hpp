@@ -16,7 +16,7 @@ namespace umbral::meshes {
 [[nodiscard]] std::vector<glm::uvec2> edge_table(const IndexedMesh& mesh);
 
 /// The same for a mesh that is closed and coherently wound: every edge has exactly two triangles, one of which runs
-/// along it from a to b, and the other from b to a.
+/// along it from a to b, and the other from b to a, and no triangle names a vertex twice.
 ///
 /// What it does with other meshes is not defined. Takes time in proportion to the triangles, and no memory but that of
 /// the result. Course: "tabla de aristas", problem 2.5, second case.
