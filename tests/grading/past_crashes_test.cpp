@@ -57,7 +57,9 @@ TEST_F(PastCrashes, neither_is_memory_that_is_not_there)
 TEST_F(PastCrashes, an_endless_loop_costs_what_comes_after_it)
 {
     exercise.limits.wall_seconds = 3;
-    const UnitResult result = grade("ray.t_min == 2 && ray.t_max == 4", "for (volatile int i = 0; i == 0;) {}");
+    // Late in the case: as many answers as half of its pairs hold earn nothing.
+    const UnitResult result = grade("ray.t_min == 2 && ray.t_max == 4 && [] { static int n = 0; return ++n > 4; }()",
+                                    "for (volatile int i = 0; i == 0;) {}");
     const CheckResult& ends = check(result, "ends/t");
     EXPECT_GT(ends.score, 0);
     EXPECT_LT(ends.score, ends.max_score);
