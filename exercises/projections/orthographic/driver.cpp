@@ -30,26 +30,43 @@ void record_mirrored(Random& random, Recorder& out)
     for (unsigned i = 0; i < 70; ++i) record(out, with_sides_exchanged(random_box(random), 1 + i % 7));
 }
 
-// A box with a size and one without, in random order: one pair of opposite sides is equal. Every second time the
-// other one's are next to each other.
+// Twenty boxes; of each, one side after another moves outwards.
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 20; ++i) {
+        ViewVolume box = random_box(random);
+        record(out, box);
+        for (float ViewVolume::*low : {&ViewVolume::left, &ViewVolume::bottom, &ViewVolume::near_plane}) {
+            box.*low -= random.uniform(0.5F, 1);
+            record(out, box);
+        }
+        for (float ViewVolume::*high : {&ViewVolume::right, &ViewVolume::top, &ViewVolume::far_plane}) {
+            box.*high += random.uniform(0.5F, 1);
+            record(out, box);
+        }
+    }
+}
+
+// A box with a size and one without, in random order: one pair of opposite sides is equal. Three times out of four the
+// other one's are next to each other; once at 0, where floats are closest, and 0 equals -0.
 void record_flat(Random& random, Recorder& out)
 {
     for (int i = 0; i < 24; ++i) {
         ViewVolume box = random_box(random);
         ViewVolume flat = box;
         ViewVolume thin = box;
+        const auto bring_together = [&](float ViewVolume::*fixed, float ViewVolume::*moved) {
+            const bool at_zero = i / 3 % 4 == 2;
+            if (at_zero) flat.*fixed = thin.*fixed = 0;
+            flat.*moved = at_zero ? -0.0F : flat.*fixed;
+            thin.*moved = next_above(thin.*fixed);
+        };
         switch (i % 3) {
-            case 0:
-                flat.right = flat.left;
-                thin.right = next_above(thin.left);
-                break;
-            case 1:
-                flat.bottom = flat.top;
-                thin.bottom = next_above(thin.top);
-                break;
-            default: flat.far_plane = flat.near_plane; thin.far_plane = next_above(thin.near_plane);
+            case 0: bring_together(&ViewVolume::left, &ViewVolume::right); break;
+            case 1: bring_together(&ViewVolume::top, &ViewVolume::bottom); break;
+            default: bring_together(&ViewVolume::near_plane, &ViewVolume::far_plane);
         }
-        if (i / 3 % 2 == 1) box = thin;
+        if (i / 3 % 4 != 0) box = thin;
         const bool first = random.below(2) == 1;
         for (const bool is_flat : {first, !first}) {
             const ViewVolume& asked = is_flat ? flat : box;
@@ -99,10 +116,7 @@ void draw_picture(Variation& vary, Recorder& out)
 
 const Driver driver = {
     {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
-    {"random",
-     [](Case& c, Recorder& out) {
-         for (int i = 0; i < 100; ++i) record(out, random_box(c.random));
-     }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"mirrored", [](Case& c, Recorder& out) { record_mirrored(c.random, out); }},
     {"flat", [](Case& c, Recorder& out) { record_flat(c.random, out); }},
     {"any size",
