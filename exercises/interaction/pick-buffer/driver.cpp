@@ -13,7 +13,8 @@ using Words = std::vector<std::uint32_t>;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 // Squares from a sixteenth of a pixel to larger than the picture; each tenth pixel is so far away that twice its column
-// or row is no int.
+// or row is no int, and its square no smaller than a pixel: in double, the difference of its sides would not have the
+// digits of its length.
 void record_matrices(Recorder& out, Random& random)
 {
     for (int i = 0; i < 100; ++i) {
@@ -24,7 +25,7 @@ void record_matrices(Recorder& out, Random& random)
         glm::ivec2 pixel(column, static_cast<int>(random.uniform(-0.2F, 1.2F) * static_cast<float>(picture.y)));
         const int far_off = static_cast<int>((1U << 30U) + random.below((1U << 30U) - 5000));
         if (i % 10 == 0) pixel[i / 10 % 2] = i % 40 < 20 ? far_off : -far_off;
-        const float size = i % 3 == 0 ? std::exp2(random.uniform(-4, 12)) : random.uniform(1, 40);
+        const float size = i % 3 == 0 && i % 10 != 0 ? std::exp2(random.uniform(-4, 12)) : random.uniform(1, 40);
         out.append("matrix", ask<pick_matrix>(out, pixel, size, picture));
     }
 }

@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <umbral/core/random.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -81,7 +82,7 @@ int random_size(Random& random)
     return random.below(8) == 0 ? random_between(40'000, 1 << 20, random) : random_between(20, 900, random);
 }
 
-// Anywhere in the window or outside it; depths in [0, 1], or of any other range.
+// Anywhere in the window or outside it; depths in [0, 1], or of any other range, now and then a very small one.
 Viewport random_viewport(Random& random)
 {
     const int left = random_between(-500, 500, random);
@@ -91,8 +92,14 @@ Viewport random_viewport(Random& random)
     const float stretch = random.below(2) == 0 ? 4.0F : 1.0F;
     const float near_depth = random.uniform(0, 0.45F) * stretch - (stretch - 1) / 2;
     const float far_depth = random.uniform(0.55F, 1) * stretch - (stretch - 1) / 2;
-    return random.below(4) == 0 ? Viewport{left, bottom, width, height, far_depth, near_depth}
-                                : Viewport{left, bottom, width, height, near_depth, far_depth};
+    const bool reversed = random.below(4) == 0;
+    const float unit = random.below(4) == 0 ? std::ldexp(1.0F, -20 - static_cast<int>(random.below(20))) : 1.0F;
+    return {left,
+            bottom,
+            width,
+            height,
+            unit * (reversed ? far_depth : near_depth),
+            unit * (reversed ? near_depth : far_depth)};
 }
 
 // The inner 80 % of a pixel of the viewport, counted from its corner: no rounding leads out of it.
@@ -104,25 +111,40 @@ glm::vec2 place_in(const Viewport& viewport, const glm::ivec2& pixel, Random& ra
     return glm::vec2(2.0 * share - 1.0);
 }
 
+void record_at_random(const Viewport& viewport, int i, Random& random, Recorder& out)
+{
+    out.append("matrix", ask<viewport_matrix>(out, viewport));
+    const float x = random.uniform(-0.2F, 1.2F);
+    const float y = random.uniform(-0.2F, 1.2F);
+    const glm::vec2 place =
+        glm::vec2(viewport.left, viewport.bottom) + glm::vec2(x, y) * glm::vec2(viewport.width, viewport.height);
+    const float depth = glm::mix(viewport.near_depth, viewport.far_depth, random.uniform(-0.2F, 1.2F));
+    out.append("back", ask<ndc_from_window>(out, viewport, glm::vec3(place, depth)));
+    const int column = random_between(0, viewport.width - 1, random);
+    const glm::ivec2 pixel(column, random_between(0, viewport.height - 1, random));
+    record_pixel(out, viewport, place_in(viewport, pixel, random));
+    // Half of them lie outside the viewport, on either side.
+    const glm::ivec2 size(viewport.width, viewport.height);
+    const glm::ivec2 aside = i % 2 == 0 ? glm::ivec2(0) : (i % 4 == 1 ? 1 : -1) * size / (1 + i % 3);
+    out.append("centre", ask<pixel_centre>(out, viewport, pixel + aside + glm::ivec2(viewport.left, viewport.bottom)));
+}
+
+// Every second one is the one before in another place, of another size or with other depths: whoever remembers what was
+// asked before has to look at all of it.
 void record_random(Random& random, Recorder& out)
 {
+    Viewport viewport{};
     for (int i = 0; i < 150; ++i) {
-        const Viewport viewport = random_viewport(random);
-        out.append("matrix", ask<viewport_matrix>(out, viewport));
-        const float x = random.uniform(-0.2F, 1.2F);
-        const float y = random.uniform(-0.2F, 1.2F);
-        const glm::vec2 place =
-            glm::vec2(viewport.left, viewport.bottom) + glm::vec2(x, y) * glm::vec2(viewport.width, viewport.height);
-        const float depth = glm::mix(viewport.near_depth, viewport.far_depth, random.uniform(-0.2F, 1.2F));
-        out.append("back", ask<ndc_from_window>(out, viewport, glm::vec3(place, depth)));
-        const int column = random_between(0, viewport.width - 1, random);
-        const glm::ivec2 pixel(column, random_between(0, viewport.height - 1, random));
-        record_pixel(out, viewport, place_in(viewport, pixel, random));
-        // Half of them lie outside the viewport, on either side.
-        const glm::ivec2 size(viewport.width, viewport.height);
-        const glm::ivec2 aside = i % 2 == 0 ? glm::ivec2(0) : (i % 4 == 1 ? 1 : -1) * size / (1 + i % 3);
-        out.append("centre",
-                   ask<pixel_centre>(out, viewport, pixel + aside + glm::ivec2(viewport.left, viewport.bottom)));
+        const Viewport fresh = random_viewport(random);
+        if (i % 2 == 0)
+            viewport = fresh;
+        else if (i % 3 == 0)
+            std::tie(viewport.left, viewport.bottom) = std::tie(fresh.left, fresh.bottom);
+        else if (i % 3 == 1)
+            std::tie(viewport.width, viewport.height) = std::tie(fresh.width, fresh.height);
+        else
+            std::tie(viewport.near_depth, viewport.far_depth) = std::tie(fresh.near_depth, fresh.far_depth);
+        record_at_random(viewport, i, random, out);
     }
 }
 
@@ -131,7 +153,7 @@ void record_random(Random& random, Recorder& out)
 void record_outside(Random& random, Recorder& out)
 {
     constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
-    for (int i = 0; i < 48; ++i) {
+    for (int i = 0; i < 56; ++i) {
         const Viewport viewport = random_viewport(random);
         const int column = random_between(0, viewport.width - 1, random);
         const glm::ivec2 pixel(column, random_between(0, viewport.height - 1, random));
@@ -139,8 +161,9 @@ void record_outside(Random& random, Recorder& out)
         if (i % 3 == 2) inside[i / 3 % 2] = -1;
         glm::vec2 outside = inside;
         const float beyond[] = {
-            1, 1.0F + random.uniform(0.01F, 2), -1.0F - random.uniform(0.01F, 2), -1.0000001F, 1e30F, no_number};
-        outside[i % 2] = beyond[i / 2 % 6];
+            1,        1.0F + random.uniform(0.01F, 2), -1.0F - random.uniform(0.01F, 2), -1.0000001F, 1e30F, no_number,
+            no_number};
+        outside[i % 2] = beyond[i / 2 % 7];
         const bool first = random.below(2) == 1;
         for (const bool is_outside : {first, !first}) record_pixel(out, viewport, is_outside ? outside : inside);
     }

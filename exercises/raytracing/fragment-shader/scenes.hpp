@@ -192,7 +192,8 @@ inline std::vector<OneRay<BallScene>> random_ball_rays(Random& random, int count
     return rays;
 }
 
-/// Into one of the smallest holes of a sponge that is drilled so often, from before its face.
+/// Into one of the smallest holes of a sponge that is drilled so often, from before its face. The sun shines upon the
+/// face: where the hole is missing, there is light.
 inline void aim_into_hole(Random& random, SpongeScene& scene, int depth, int axis)
 {
     scene.depth = depth;
@@ -201,6 +202,7 @@ inline void aim_into_hole(Random& random, SpongeScene& scene, int depth, int axi
         scene.look.target[k] =
             2 / cells * (static_cast<float>(random.below(static_cast<std::uint32_t>(cells))) + 0.5F) - 1;
     scene.look.target[axis] = scene.look.eye[axis] < 0 ? -1.0F : 1.0F;
+    scene.sun[axis] = std::copysign(scene.sun[axis], scene.look.target[axis]);
     scene.ball.w = random.uniform(0.3F, 0.7F);
 }
 

@@ -9,8 +9,8 @@ namespace umbral::projections {
 /// The rectangle of a window that a picture goes to, in whole pixels, and the range of depths. Window coordinates have
 /// x to the right, y up, and their origin at the window's lower left corner. Course: xl, yb, w, h, nd, fd.
 struct Viewport {
-    int left;
-    int bottom;
+    int left;              ///< at most 2^22 from 0, as every place in a window
+    int bottom;            ///< as left
     int width;             ///< more than 0, at most 2^20
     int height;            ///< as width
     float near_depth = 0;  ///< what depth -1 becomes; may be larger than far_depth
