@@ -93,7 +93,7 @@ Viewport random_viewport(Random& random)
     const float near_depth = random.uniform(0, 0.45F) * stretch - (stretch - 1) / 2;
     const float far_depth = random.uniform(0.55F, 1) * stretch - (stretch - 1) / 2;
     const bool reversed = random.below(4) == 0;
-    const float unit = random.below(4) == 0 ? std::ldexp(1.0F, -20 - static_cast<int>(random.below(20))) : 1.0F;
+    const float unit = random.below(3) == 0 ? std::ldexp(1.0F, -20 - static_cast<int>(random.below(20))) : 1.0F;
     return {left,
             bottom,
             width,
@@ -160,9 +160,9 @@ void record_outside(Random& random, Recorder& out)
         glm::vec2 inside = place_in(viewport, pixel, random);
         if (i % 3 == 2) inside[i / 3 % 2] = -1;
         glm::vec2 outside = inside;
-        const float beyond[] = {
-            1,        1.0F + random.uniform(0.01F, 2), -1.0F - random.uniform(0.01F, 2), -1.0000001F, 1e30F, no_number,
-            no_number};
+        const float above = 1.0F + random.uniform(0.01F, 2);
+        const float below = -1.0F - random.uniform(0.01F, 2);
+        const float beyond[] = {1, above, below, -1.0000001F, 1e30F, no_number, no_number};
         outside[i % 2] = beyond[i / 2 % 7];
         const bool first = random.below(2) == 1;
         for (const bool is_outside : {first, !first}) record_pixel(out, viewport, is_outside ? outside : inside);
