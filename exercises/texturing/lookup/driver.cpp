@@ -83,7 +83,7 @@ Grid<glm::vec4> brighter(Grid<glm::vec4> texture)
 }
 
 // Up to three times round in both directions. The last texture has the first one's size: see random_inside. After
-// every ten questions they are painted over, so that a copy shows which was made of a texture earlier, of one or of all.
+// every ten questions they are painted over, so that a copy shows which was made of a texture earlier.
 void outside(Random& random, Recorder& out, Wrap wrap)
 {
     Textures textures = {random_texture(random, 8, 8), brighter(random_texture(random, 6, 10)),
