@@ -29,6 +29,9 @@ struct PaintedHit {
     int lamp;  ///< its place among the lamps, -1 for what is none
 };
 
+/// What is left of light, if inputs are to vary: so little of each channel that no estimate is near what it was.
+inline glm::vec3 share_of_light(Variation& vary) { return shares(vary, 0.35F, 0.65F); }
+
 /// A base of scenes: what they look like is added solid by solid.
 class PaintedSolids {
 public:
@@ -55,14 +58,13 @@ public:
         add(SolidQuad{corner, z, up}, paint);
         add(SolidQuad{corner + x, up, z}, paint);
     }
-    /// Other light and other paint, if inputs are to vary. Paint becomes a little darker, so that no path is longer; of
-    /// light a half is missing, so that no estimate is near what it was.
+    /// Other light and other paint, if inputs are to vary. Paint becomes a little darker, so that no path is longer.
     void darken(Variation& vary)
     {
         for (Look& look : looks_) {
             look.paint.albedo *= shares(vary, 0.75F, 0.95F);
             look.paint.second *= shares(vary, 0.75F, 0.95F);
-            look.paint.emitted *= shares(vary, 0.35F, 0.65F);
+            look.paint.emitted *= share_of_light(vary);
             if (look.lamp >= 0) lamps_[static_cast<std::size_t>(look.lamp)].radiance = look.paint.emitted;
         }
     }

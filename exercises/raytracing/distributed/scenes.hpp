@@ -45,8 +45,8 @@ public:
     {
         StillLife other = *this;
         // A sky that is the same everywhere remains so.
-        const glm::vec3 share = shares(vary, 0.35F, 0.65F);
-        other.light_ = {share * light_.horizon, share * light_.zenith, shares(vary, 0.35F, 0.65F) * light_.ambient};
+        const glm::vec3 share = share_of_light(vary);
+        other.light_ = {share * light_.horizon, share * light_.zenith, share_of_light(vary) * light_.ambient};
         other.darken(vary);
         return other;
     }

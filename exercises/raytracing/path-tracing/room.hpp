@@ -39,7 +39,7 @@ public:
     [[nodiscard]] DiffuseRoom varied(Variation& vary) const
     {
         DiffuseRoom other = *this;
-        const glm::vec3 share = shares(vary, 0.35F, 0.65F);
+        const glm::vec3 share = share_of_light(vary);
         other.sky_ = {share * sky_.horizon, share * sky_.zenith};
         other.darken(vary);
         return other;

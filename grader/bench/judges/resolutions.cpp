@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <ctime>
+#include <set>
+#include <utility>
 
-#include "bench/judges/picture_rules.hpp"
+#include "bench/judges/results.hpp"
 #include "bench/judges/scene_pairs.hpp"
 #include "bench/percent.hpp"
 
@@ -20,19 +22,25 @@ struct Counts {
     std::size_t alarms = 0;
 };
 
+/// A pair by its scene and what was changed there.
+std::pair<std::string, std::string> name_of(const MeasuredPair& pair) { return {pair.scene, pair.change}; }
+
 Counts count(const JudgedSize& size, const JudgedSize& largest)
 {
+    std::set<std::pair<std::string, std::string>> bugs;
+    for (const MeasuredPair& pair : largest.pairs)
+        if (is_bug(pair)) bugs.insert(name_of(pair));
     Counts counts;
-    for (const auto& [name, pair] : size.pairs) {
+    for (const MeasuredPair& pair : size.pairs) {
+        const bool caught = pair.ours.worst > 1;
         if (!pair.harmful) {
             ++counts.harmless;
-            counts.alarms += pair.worst > 1 ? 1 : 0;
+            counts.alarms += caught ? 1 : 0;
         }
-        const auto there = largest.pairs.find(name);
-        if (there == largest.pairs.end() || !there->second.harmful || !there->second.visible) continue;
+        if (!bugs.contains(name_of(pair))) continue;
         ++counts.bugs;
-        counts.shown += pair.visible ? 1 : 0;
-        counts.caught += pair.worst > 1 ? 1 : 0;
+        counts.shown += is_bug(pair) ? 1 : 0;
+        counts.caught += caught ? 1 : 0;
     }
     return counts;
 }
@@ -45,11 +53,10 @@ JudgedSize judge_scenes(const std::filesystem::path& folder, int side)
     std::clock_t spent = 0;
     visit_scenes(folder, [&](const PicturePair& pair) {
         if (pair.noise) return;
+        MeasuredPair& measured = size.pairs.emplace_back(unmeasured(pair));
         const std::clock_t start = std::clock();
-        const OurMeasure found = our_measure(pair.student, pair.expected, false);
+        measured.ours = our_measure(pair.student, pair.expected, false);
         spent += std::clock() - start;
-        size.pairs[{pair.scene, pair.change}] = {pair.harmful, !looks_the_same(pair.student, pair.expected),
-                                                 found.worst};
     });
     const auto pairs = static_cast<double>(std::max<std::size_t>(size.pairs.size(), 1));
     size.milliseconds = 1e3 * static_cast<double>(spent) / CLOCKS_PER_SEC / pairs;

@@ -1,26 +1,19 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
-namespace umbral::grader {
+#include "bench/judges/rule_table.hpp"
 
-/// What the image rule makes of a pair of pictures.
-struct JudgedPair {
-    bool harmful = false;
-    bool visible = false;  ///< does a channel differ by more than two levels somewhere?
-    double worst = 0;      ///< ratio to the threshold
-};
+namespace umbral::grader {
 
 /// The scenes for calibration, without noise, drawn with so many pixels on most pictures' side.
 struct JudgedSize {
     int side = 0;
-    double milliseconds = 0;  ///< of one comparison, the mean over all pairs, processor time
-    std::map<std::pair<std::string, std::string>, JudgedPair> pairs{};  ///< by scene and change
+    double milliseconds = 0;            ///< of one comparison, the mean over all pairs, processor time
+    std::vector<MeasuredPair> pairs{};  ///< by our rule alone
 };
 
 /// Judges what umbral-bench-scenes has drawn into `folder`.

@@ -115,11 +115,17 @@ JudgeTimes time_image_rule()
     return {time(expected), time(as_tensor(noisy(1))), time(as_tensor(noisy(60)))};
 }
 
-MeasuredPair measure(const PicturePair& pair)
+MeasuredPair unmeasured(const PicturePair& pair)
 {
     MeasuredPair measured{pair.scene,           pair.change, pair.harmful, pair.noise, pair.made_up,
                           held_out(pair.scene), false,       {},           {}};
     measured.invisible = pair.harmful && looks_the_same(pair.student, pair.expected);
+    return measured;
+}
+
+MeasuredPair measure(const PicturePair& pair)
+{
+    MeasuredPair measured = unmeasured(pair);
     measured.ours = our_measure(pair.student, pair.expected, pair.noise);
     measured.measures = measure_by_rules(pair.student, pair.expected, measured.ours);
     return measured;

@@ -24,6 +24,9 @@ struct JudgeBench {
     JudgeTimes times;
 };
 
+/// What is known of a pair before any rule has looked at it.
+[[nodiscard]] MeasuredPair unmeasured(const PicturePair& pair);
+/// The same with what all rules say.
 [[nodiscard]] MeasuredPair measure(const PicturePair& pair);
 
 /// Tables for people: rules on the held-out half, with and without noise; margins; faults that were not caught; time.

@@ -7,8 +7,7 @@
 namespace umbral::grader {
 
 /// Has the scenes drawn into `folder` by `program` (umbral-bench-scenes), with so many pixels on most pictures' side.
-/// Throws std::runtime_error if it cannot be run
-/// or fails.
+/// Throws std::runtime_error if it cannot be run or fails.
 void draw_scenes(const std::filesystem::path& program, const std::filesystem::path& folder, int side = 256);
 
 /// Reads `folder`/pictures.json and hands on each variant beside the expected picture, then the expected picture under
