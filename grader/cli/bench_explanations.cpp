@@ -26,7 +26,7 @@ struct ExplanationsOptions {
 };
 
 /// A look of some seconds: one unit, whose work is explained quickly, and one set of inputs.
-void shorten(ExplanationsOptions& options)
+void make_quick(ExplanationsOptions& options)
 {
     options.seeds = 1;
     if (options.units.empty()) options.units = {"frames"};
@@ -100,7 +100,7 @@ void add_bench_explanations(Command bench, Application& application)
         "Exit status: 0 the targets are met (95 % right; less than 1 % wrong of work that matches no reason), 1 they "
         "are not.");
     command.runs([&application, options] {
-        if (options->quick) shorten(*options);
+        if (options->quick) make_quick(*options);
         measure(application, *options);
     });
 }

@@ -34,7 +34,7 @@ struct JudgesOptions {
 };
 
 /// A look of some seconds: one unit's pictures.
-void shorten(JudgesOptions& options)
+void make_quick(JudgesOptions& options)
 {
     options.no_scenes = true;
     if (options.units.empty()) options.units = {"sphere"};
@@ -134,7 +134,7 @@ void add_bench_judges(Command bench, Application& application)
                  "A look of some seconds: no scenes, and of the units the sphere, if no other is named");
     command.runs([&application, options] {
         if (options->sizes) return bench_sizes(application, *options);
-        if (options->quick) shorten(*options);
+        if (options->quick) make_quick(*options);
         bench_judges(application, *options);
     });
 }

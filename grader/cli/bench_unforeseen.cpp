@@ -21,7 +21,7 @@ struct UnforeseenOptions {
 };
 
 /// A look of some seconds: one unit, few bugs.
-void shorten(UnforeseenOptions& options)
+void make_quick(UnforeseenOptions& options)
 {
     options.plan.bugs = 2;
     options.plan.pairs = 0;
@@ -68,7 +68,7 @@ void add_bench_unforeseen(Command bench, Application& application)
         "Exit status: 0 the targets are met (65 % get a true sentence about what or where, less than 1 % a false one), "
         "1 they are not.");
     command.runs([&application, options] {
-        if (options->quick) shorten(*options);
+        if (options->quick) make_quick(*options);
         measure(application, *options);
     });
 }

@@ -31,16 +31,17 @@ TEST_P(HiddenNames, are_found)
     EXPECT_NE(built.message.find(GetParam().found), std::string::npos) << built.message;
 }
 
-constexpr const char* rotation = "transforms/axis-rotation/axis_rotation.cpp";
-constexpr const char* reflection = "raytracing/reflect-refract/reflect_refract.cpp";
+constexpr const char* file_of_rotation = "transforms/axis-rotation/axis_rotation.cpp";
+constexpr const char* file_of_reflection = "raytracing/reflect-refract/reflect_refract.cpp";
 INSTANTIATE_TEST_SUITE_P(
     All, HiddenNames,
-    testing::Values(Hidden{"rotate-below-blocks", rotation, "glm::rotate is not allowed"},
-                    Hidden{"rotate-in-union", rotation, "glm::rotate is not allowed"},
-                    Hidden{"rotate-by-dotted-path", rotation, "glm::rotateNormalizedAxis is not allowed"},
-                    Hidden{"rotate-called-identity", rotation, "by another name (glm/gtx/rotate_normalized_axis.inl:"},
-                    Hidden{"reflect-renamed", reflection, "by another name (glm/detail/func_geometric.inl:"},
-                    Hidden{"reflect-of-long-type", reflection, "glm::reflect is not allowed"},
+    testing::Values(Hidden{"rotate-below-blocks", file_of_rotation, "glm::rotate is not allowed"},
+                    Hidden{"rotate-in-union", file_of_rotation, "glm::rotate is not allowed"},
+                    Hidden{"rotate-by-dotted-path", file_of_rotation, "glm::rotateNormalizedAxis is not allowed"},
+                    Hidden{"rotate-called-identity", file_of_rotation,
+                           "by another name (glm/gtx/rotate_normalized_axis.inl:"},
+                    Hidden{"reflect-renamed", file_of_reflection, "by another name (glm/detail/func_geometric.inl:"},
+                    Hidden{"reflect-of-long-type", file_of_reflection, "glm::reflect is not allowed"},
                     Hidden{"products-of-quaternions", "transforms/vectors/vectors.cpp", "is not allowed"},
                     Hidden{"mix-of-quaternions", "interaction/keyframes/keyframes.cpp", "glm::mix is not allowed"}),
     [](const auto& one) {

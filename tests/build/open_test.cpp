@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "inspect/open.hpp"
+#include "support/printed.hpp"
 #include "support/temporary_folder.hpp"
 
 // Which files libdw is given: what it takes for granted is checked before.
@@ -13,12 +14,6 @@ namespace umbral::grader {
 namespace {
 
 using umbral::test::TemporaryFolder;
-
-std::string read(const std::filesystem::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// A library with debug information, as g++ makes it with these options.
 std::string compiled(const std::string& options)
@@ -30,7 +25,7 @@ std::string compiled(const std::string& options)
                                     "-o " + (folder / "one.so").string(), (folder / "one.cpp").string()})
         command += " " + word;
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
-    return read(folder / "one.so");
+    return umbral::test::read(folder / "one.so");
 }
 
 bool opens(std::string image)
@@ -78,7 +73,8 @@ TEST(OpenDebugInformation, refuses_strings_without_an_end)
     for (const char* const section : {".debug_str", ".debug_line_str"})
         EXPECT_FALSE(opens(with_last_byte(library, section, 'x'))) << section;
     for (const char* const found : {"unterminated_line_strings", "strings_without_bytes"})
-        EXPECT_FALSE(opens(read(UMBRAL_SOURCE_DIR "/tests/fuzz/corpus/inspect/" + std::string(found)))) << found;
+        EXPECT_FALSE(opens(umbral::test::read(UMBRAL_SOURCE_DIR "/tests/fuzz/corpus/inspect/" + std::string(found))))
+            << found;
 }
 
 TEST(OpenDebugInformation, refuses_what_is_compressed) { EXPECT_FALSE(opens(compiled("-gz=zlib"))); }

@@ -7,8 +7,6 @@
 namespace umbral::grader::test {
 namespace {
 
-constexpr float infinity_f = std::numeric_limits<float>::infinity();
-
 // 100 x 100 of background 7 with four cells 1, 2, 3, 4 in the middle.
 std::vector<std::uint32_t> mostly_empty()
 {
@@ -68,7 +66,7 @@ TEST(Buffer, depth_is_exact_unless_a_tolerances_says_otherwise)
 
 TEST(Buffer, infinity_is_a_background_and_na_n_is_nothing)
 {
-    std::vector<float> cells(100, infinity_f);
+    std::vector<float> cells(100, std::numeric_limits<float>::infinity());
     cells[55] = 2;
     EXPECT_EQ(buffer(depth(10, 10, cells), depth(10, 10, cells)).right, 1);
     auto finite = std::vector<float>(100, 1e30F);

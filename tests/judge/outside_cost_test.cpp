@@ -7,29 +7,29 @@
 namespace umbral::grader::test {
 namespace {
 
-const std::vector<double> sizes{1000, 2000, 4000, 8000, 16000};
+const std::vector<double> problem_sizes{1000, 2000, 4000, 8000, 16000};
 
 /// What runs take that need 1 ms beside their work, and for each size n so many milliseconds at the largest, growing
 /// with this exponent.
 OutsideCost runs_of(double at_the_largest, double exponent, double nothing = 1)
 {
     OutsideCost cost{nothing, nothing, nothing};
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
-        const double taken = at_the_largest * std::pow(sizes[i] / sizes.back(), exponent);
+    for (std::size_t i = 0; i < problem_sizes.size(); ++i) {
+        const double taken = at_the_largest * std::pow(problem_sizes[i] / problem_sizes.back(), exponent);
         cost.all_sizes += taken;
-        if (i < sizes_to_compare(sizes)) cost.first_sizes += taken;
+        if (i < sizes_to_compare(problem_sizes)) cost.first_sizes += taken;
     }
     return cost;
 }
 
 std::optional<std::string> objection(const OutsideCost& student, double growth = 1)
 {
-    return objection_from_outside(student, runs_of(2, 1), sizes, growth, "corners");
+    return objection_from_outside(student, runs_of(2, 1), problem_sizes, growth, "corners");
 }
 
 TEST(OutsideCost, compares_up_to_a_quarter_of_the_largest_size)
 {
-    EXPECT_EQ(sizes_to_compare(sizes), 3U);
+    EXPECT_EQ(sizes_to_compare(problem_sizes), 3U);
     EXPECT_EQ(sizes_to_compare({6, 9, 12, 15, 18}), 1U) << "never none";
     EXPECT_EQ(sizes_to_compare({1, 100}), 1U);
 }

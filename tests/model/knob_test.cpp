@@ -19,7 +19,7 @@ namespace umbral::grader {
 namespace {
 
 using nlohmann::json;
-const std::filesystem::path source = UMBRAL_SOURCE_DIR;
+const std::filesystem::path checkout = UMBRAL_SOURCE_DIR;
 
 std::string message(const json& manifest)
 {
@@ -63,12 +63,12 @@ TEST(UnitKnob, that_names_what_has_no_error_or_is_hidden_is_refused)
 // The grader knows no knob of the engine: that one named in a manifest is there is seen here.
 TEST(UnitKnob, of_every_unit_is_one_that_the_bench_has)
 {
-    std::ifstream file(source / "reference/bench/accuracy/knobs.cpp");
+    std::ifstream file(checkout / "reference/bench/accuracy/knobs.cpp");
     std::ostringstream knobs;
     knobs << file.rdbuf();
     ASSERT_NE(knobs.str().find("KnobEntry{\"ray-sphere\""), std::string::npos);
     std::size_t count = 0;
-    for (const Exercise& unit : load_units(source / "exercises").exercises) {
+    for (const Exercise& unit : load_units(checkout / "exercises").exercises) {
         if (!unit.knob) continue;
         ++count;
         EXPECT_NE(knobs.str().find("KnobEntry{\"" + unit.knob->name + "\""), std::string::npos) << unit.id;

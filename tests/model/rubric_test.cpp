@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 /// The manifest of all tests with a rubric of two lines: of the first are the checks 0, 2 and 4.
-json manifest()
+json manifest_with_rubric()
 {
     json all = test::manifest();
     all["rubric"] = json::parse(R"([{"words": "Modelo", "points": 2.625}, {"words": "Imagen", "points": 2.25}])");
@@ -25,7 +25,7 @@ json manifest()
 
 TEST(Rubric, gives_each_line_what_its_checks_earned)
 {
-    const Exercise unit = parse_exercise(manifest(), "here.json");
+    const Exercise unit = parse_exercise(manifest_with_rubric(), "here.json");
     ASSERT_EQ(unit.rubric.size(), 2U);
     EXPECT_EQ(unit.rubric[1].words, "Imagen");
     EXPECT_EQ(unit.rubric[1].points, 2250);
@@ -49,26 +49,26 @@ TEST(Rubric, is_empty_where_a_unit_has_none)
 TEST(Rubric, that_does_not_hold_together_is_refused)
 {
     const umbral::test::Schema schema("exercise");
-    ASSERT_EQ(schema.complaints(manifest()), "");
+    ASSERT_EQ(schema.complaints(manifest_with_rubric()), "");
     const auto message = [](const json& all) {
         return test::message_of([&] { (void)parse_exercise(all, "here.json"); });
     };
-    json no_line = manifest();
+    json no_line = manifest_with_rubric();
     no_line["checks"][2].erase("rubric");
     EXPECT_NE(message(no_line).find("checks[2].rubric: "), std::string::npos) << message(no_line);
     EXPECT_NE(schema.complaints(no_line), "");
 
-    json no_rubric = manifest();
+    json no_rubric = manifest_with_rubric();
     no_rubric.erase("rubric");
     EXPECT_NE(message(no_rubric).find("checks[0].rubric: expected no line"), std::string::npos) << message(no_rubric);
     EXPECT_NE(schema.complaints(no_rubric), "");
 
-    json other_line = manifest();
+    json other_line = manifest_with_rubric();
     other_line["checks"][0]["rubric"] = 2;
     EXPECT_NE(message(other_line).find("line 1 that are the sum of its checks' points, 0.62"), std::string::npos)
         << message(other_line);
 
-    json beyond = manifest();
+    json beyond = manifest_with_rubric();
     beyond["checks"][0]["rubric"] = 3;
     EXPECT_NE(message(beyond).find("checks[0].rubric: "), std::string::npos) << message(beyond);
 }

@@ -16,7 +16,7 @@ class Operators : public testing::TestWithParam<ExpectedChanges> {};
 
 TEST_P(Operators, are_found) { expect_found(mutants_of(GetParam().source), GetParam()); }
 
-const std::vector<ExpectedChanges> expected = {
+const std::vector<ExpectedChanges> expected_mutants = {
     {"comparison", "bool f(int a, int b) { return a < b; }", {"comparison: a < b → a <= b"}},
     {"arithmetic",
      "float f(float a, float b) { return a + b / a; }",
@@ -48,7 +48,7 @@ const std::vector<ExpectedChanges> expected = {
      {"error not thrown: throw 1; → left out", "statement left out: a += 2; → left out",
       "early return: { → { return {};", "arithmetic: a += 2 → a -= 2"}},
 };
-INSTANTIATE_TEST_SUITE_P(All, Operators, testing::ValuesIn(expected),
+INSTANTIATE_TEST_SUITE_P(All, Operators, testing::ValuesIn(expected_mutants),
                          [](const auto& one) { return std::string(one.param.name); });
 
 TEST(FindMutants, leaves_out_what_the_compiler_computes)

@@ -14,7 +14,7 @@ class Repairs : public testing::TestWithParam<ExpectedChanges> {};
 
 TEST_P(Repairs, are_found) { expect_found(repairs_of(GetParam().source), GetParam()); }
 
-const std::vector<ExpectedChanges> expected = {
+const std::vector<ExpectedChanges> expected_repairs = {
     {"sign",
      "float g(float); float f(float a) { return g(a) * 2.5F; }",
      {"sign: a → -(a)", "sign: g(a) → -(g(a))", "sign: 2.5F → -2.5F"}},
@@ -41,7 +41,7 @@ const std::vector<ExpectedChanges> expected = {
      "float sin(float); float f(float a) { return sin(a); }",
      {"angle: a → glm::radians(a)", "angle: a → 0.5F * (a)", "angle: a → 2 * (a)"}}};
 
-INSTANTIATE_TEST_SUITE_P(All, Repairs, testing::ValuesIn(expected),
+INSTANTIATE_TEST_SUITE_P(All, Repairs, testing::ValuesIn(expected_repairs),
                          [](const auto& one) { return std::string(one.param.name); });
 
 TEST(Repairs, are_no_changes_that_only_break_and_none_twice)

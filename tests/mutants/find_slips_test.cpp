@@ -16,7 +16,7 @@ class Slips : public testing::TestWithParam<ExpectedChanges> {};
 
 TEST_P(Slips, are_found) { expect_found(slips_of(GetParam().source), GetParam()); }
 
-const std::vector<ExpectedChanges> expected = {
+const std::vector<ExpectedChanges> expected_slips = {
     {"tolerance",
      "bool f(float a, float b) { return a < b || a == 0; }",
      {"tolerance: a < b → a + 1e-4F < b", "tolerance: a < b → a - 1e-4F < b",
@@ -39,7 +39,7 @@ const std::vector<ExpectedChanges> expected = {
      "struct List { int n; }; int f(List list, int k) { return list.n + k; }",
      {"kept answer: f(list, k) → what it answered to arguments of the same sizes and numbers"}},
 };
-INSTANTIATE_TEST_SUITE_P(All, Slips, testing::ValuesIn(expected),
+INSTANTIATE_TEST_SUITE_P(All, Slips, testing::ValuesIn(expected_slips),
                          [](const auto& one) { return std::string(one.param.name); });
 
 TEST(FindSlips, changes_nothing_that_would_be_the_same)

@@ -21,7 +21,7 @@ bool equal_bits(const Grid<Cell>& a, const Grid<Cell>& b)
            std::memcmp(a.cells.data(), b.cells.data(), a.cells.size() * sizeof(Cell)) == 0;
 }
 
-std::vector<scene::Scene> scenes()
+std::vector<scene::Scene> scenes_to_draw()
 {
     return {plain(),    first_light(), through_the_near_plane(), around_the_camera(), behind_the_camera(), degenerate(),
             mirrored(), bare()};
@@ -37,7 +37,7 @@ TEST(Effects, are_numbered_one_to_one)
 TEST(Effects, absent_ones_change_no_bit_and_count_nothing)
 {
     int absent = 0;
-    for (const scene::Scene& scene : scenes()) {
+    for (const scene::Scene& scene : scenes_to_draw()) {
         const DrawList list = make_draw_list(scene, 96, 64);
         const EffectSet needed = derive_effects(list, scene).set;
         const SoftwarePicture derived = draw_in_software(list, needed, 96, 64);
@@ -129,7 +129,7 @@ TEST(Effects, are_not_asked_for_by_what_cannot_be_seen)
 // What one counter says must fit the others.
 TEST(Counters, add_up)
 {
-    for (const scene::Scene& scene : scenes()) {
+    for (const scene::Scene& scene : scenes_to_draw()) {
         const DrawList list = make_draw_list(scene, 96, 64);
         const SoftwarePicture picture = draw_in_software(list, all_effects, 96, 64);
         const Counters& c = picture.counters;

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "page_text.hpp"
 #include "report/layout.hpp"
 #include "report/terminal.hpp"
 #include "results.hpp"
 
 namespace umbral::grader {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 ClassResult class_of(int units)
 {
@@ -48,7 +47,7 @@ TEST(ClassTable, all_rows_of_a_band_have_the_same_width_and_fit)
                         continue;
                     }
                     ++rows;
-                    if (contains(std::string(line), "submission")) first = display_width(line);
+                    if (has(std::string(line), "submission")) first = display_width(line);
                     ASSERT_TRUE(first == 0 || display_width(line) == first)
                         << units << " units, width " << width << ": " << line;
                 }
@@ -70,20 +69,20 @@ TEST(ClassTable, shows_points_marks_totals_and_means)
             if (line.starts_with("  " + name)) return std::string(line);
         return std::string();
     };
-    EXPECT_TRUE(contains(row("ana"), "10/12.5"));
-    EXPECT_TRUE(contains(row("ana"), "10 ✓"));
-    EXPECT_TRUE(contains(row("ana"), "0 ✗"));
-    EXPECT_TRUE(contains(row("bo"), "5 ◐"));
-    EXPECT_TRUE(contains(row("bo"), "·")) << "not graded is no zero";
-    EXPECT_TRUE(contains(row("cy"), "0 ?"));
-    EXPECT_TRUE(contains(row("mean"), "7.5")) << "a grader's fault is no zero: " << row("mean");
+    EXPECT_TRUE(has(row("ana"), "10/12.5"));
+    EXPECT_TRUE(has(row("ana"), "10 ✓"));
+    EXPECT_TRUE(has(row("ana"), "0 ✗"));
+    EXPECT_TRUE(has(row("bo"), "5 ◐"));
+    EXPECT_TRUE(has(row("bo"), "·")) << "not graded is no zero";
+    EXPECT_TRUE(has(row("cy"), "0 ?"));
+    EXPECT_TRUE(has(row("mean"), "7.5")) << "a grader's fault is no zero: " << row("mean");
 }
 
 TEST(ClassTable, numbers_units_that_have_no_room_and_names_them_below)
 {
     const std::string table = class_table(class_of(20), {});
-    EXPECT_TRUE(contains(table, "20 topic/unit-number-19"));
-    EXPECT_FALSE(contains(class_table(class_of(2), {}), "2 topic/unit-number-1"));
+    EXPECT_TRUE(has(table, "20 topic/unit-number-19"));
+    EXPECT_FALSE(has(class_table(class_of(2), {}), "2 topic/unit-number-1"));
 }
 
 TEST(ClassTable, a_hidden_failure_is_no_check_mark)
@@ -92,16 +91,16 @@ TEST(ClassTable, a_hidden_failure_is_no_check_mark)
     result.submissions = {
         submission_result("ana", {unit_result("a/one", Verdict::ok, {check_result("c/v", 0, 1000, true)})})};
     const std::string table = class_table(result, {});
-    EXPECT_FALSE(contains(table, "0 ✓"));
-    EXPECT_TRUE(contains(table, "0 ◐"));
+    EXPECT_FALSE(has(table, "0 ✓"));
+    EXPECT_TRUE(has(table, "0 ◐"));
 }
 
 TEST(ClassTable, empty_classes_are_said_to_be_empty)
 {
-    EXPECT_TRUE(contains(class_table({}, {}), "No submission"));
+    EXPECT_TRUE(has(class_table({}, {}), "No submission"));
     ClassResult nothing;
     nothing.submissions = {submission_result("ana", {})};
-    EXPECT_TRUE(contains(class_table(nothing, {}), "ana"));
+    EXPECT_TRUE(has(class_table(nothing, {}), "ana"));
 }
 
 }

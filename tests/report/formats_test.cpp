@@ -9,16 +9,11 @@
 #include "full_disk.hpp"
 #include "report/formats.hpp"
 #include "results.hpp"
+#include "support/printed.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace umbral::grader {
 namespace {
-
-std::string text_of(const std::filesystem::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 const Fingerprint fingerprint{"1", "c", "cpu", "cc", "gl", "libm", {"landlock 4"}};
 
@@ -42,7 +37,7 @@ std::map<std::string, std::string> reports_of(const SubmissionResult& submission
     write_reports(folder.path(), SubmissionReport{submission, fingerprint, titles, with_hidden, sections, sections});
     std::map<std::string, std::string> texts;
     for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
-        texts[entry.path().filename()] = text_of(entry.path());
+        texts[entry.path().filename()] = umbral::test::read(entry.path());
     return texts;
 }
 
@@ -61,7 +56,7 @@ TEST(ReportFiles, hold_what_the_model_says)
     const umbral::test::TemporaryFolder folder;
     const ClassResult all{fingerprint, {submission, submission}};
     write_reports(folder.path(), ClassReport{all, {}});
-    EXPECT_EQ(nlohmann::json::parse(text_of(folder / "class.json")), to_json(all));
+    EXPECT_EQ(nlohmann::json::parse(umbral::test::read(folder / "class.json")), to_json(all));
     EXPECT_EQ(folder.count(), class_files().size());
 }
 
@@ -92,7 +87,7 @@ TEST(ReportFiles, a_full_disk_is_an_exception_and_leaves_the_old_file)
                   }),
                   "");
     }
-    EXPECT_EQ(text_of(folder / "report.json"), "old");
+    EXPECT_EQ(umbral::test::read(folder / "report.json"), "old");
     EXPECT_EQ(folder.count(), 1);
 
     const FullDisk outcome =

@@ -7,6 +7,7 @@
 
 #include "complaint.hpp"
 #include "full_disk.hpp"
+#include "support/printed.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace umbral {
@@ -21,12 +22,6 @@ Image noise(int width, int height)
     for (auto& pixel : image.cells)
         pixel = {random.below(256), random.below(256), random.below(256), random.below(256)};
     return image;
-}
-
-std::string bytes_of(const std::filesystem::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 void put(const std::filesystem::path& path, const std::string& bytes)
@@ -97,7 +92,7 @@ TEST(Png, every_truncation_is_refused)
 {
     const umbral::test::TemporaryFolder folder;
     write_png(folder / "whole.png", noise(9, 5));
-    const std::string whole = bytes_of(folder / "whole.png");
+    const std::string whole = umbral::test::read(folder / "whole.png");
     for (std::size_t size = 0; size < whole.size(); ++size) {
         put(folder / "cut.png", whole.substr(0, size));
         const std::string said = complaint([&] { (void)read_png(folder / "cut.png"); });
@@ -111,7 +106,7 @@ TEST(Png, every_damaged_byte_of_the_pixels_is_refused)
 {
     const umbral::test::TemporaryFolder folder;
     write_png(folder / "whole.png", noise(9, 5));
-    const std::string whole = bytes_of(folder / "whole.png");
+    const std::string whole = umbral::test::read(folder / "whole.png");
     const std::size_t pixels = whole.find("IDAT") + 4;
     const std::size_t length =
         static_cast<unsigned char>(whole[pixels - 5]) + 256U * static_cast<unsigned char>(whole[pixels - 6]);
@@ -166,13 +161,13 @@ TEST(Png, a_full_disk_is_an_exception_and_leaves_the_old_file)
 {
     const umbral::test::TemporaryFolder folder;
     write_png(folder / "a.png", noise(2, 2));
-    const std::string old = bytes_of(folder / "a.png");
+    const std::string old = umbral::test::read(folder / "a.png");
     {
         const SmallFiles limit(1000);
         const std::string said = complaint([&] { write_png(folder / "a.png", noise(64, 64)); });
         EXPECT_NE(said.find("a.png: cannot write it: File too large"), std::string::npos) << said;
     }
-    EXPECT_EQ(bytes_of(folder / "a.png"), old);
+    EXPECT_EQ(umbral::test::read(folder / "a.png"), old);
     EXPECT_EQ(folder.count(), 1);
 
     const FullDisk outcome = on_full_disk(

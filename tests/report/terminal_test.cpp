@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "page_text.hpp"
 #include "report/details.hpp"
 #include "report/hidden.hpp"
 #include "report/layout.hpp"
@@ -11,8 +12,6 @@
 
 namespace umbral::grader {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// The text without our own colours: an ESC that is left is somebody else's.
 std::string without_colour(std::string text)
@@ -40,18 +39,18 @@ UnitResult transposed()
 TEST(Terminal, says_what_a_student_needs)
 {
     const std::string report = terminal_report(submission_result("ana", {transposed()}), {});
-    EXPECT_TRUE(contains(report, "4/6.5"));
-    EXPECT_TRUE(contains(report, "partly right, 4 of 6.5 points"));
-    EXPECT_TRUE(contains(report, "250 ms / 2.0 ms"));
-    EXPECT_TRUE(contains(report, "far away/m  wrong, 0 of 2.5 points"));
-    EXPECT_TRUE(contains(report, "⎡  1 ▸5 ⎤"));
-    EXPECT_TRUE(contains(report, "⎡  1 ▸0 ⎤"));
-    EXPECT_TRUE(contains(report, "⎣ ▸5  1 ⎦"));
-    EXPECT_TRUE(contains(report, "the transpose of the expected one. (probably)"));
-    EXPECT_FALSE(contains(report, "less likely"));
-    EXPECT_TRUE(contains(report, "│ hello\n"));
-    EXPECT_TRUE(contains(report, "umbral debug projections/view-matrix 'far away'"));
-    EXPECT_TRUE(contains(report, "1 of 1 unit is not right yet."));
+    EXPECT_TRUE(has(report, "4/6.5"));
+    EXPECT_TRUE(has(report, "partly right, 4 of 6.5 points"));
+    EXPECT_TRUE(has(report, "250 ms / 2.0 ms"));
+    EXPECT_TRUE(has(report, "far away/m  wrong, 0 of 2.5 points"));
+    EXPECT_TRUE(has(report, "⎡  1 ▸5 ⎤"));
+    EXPECT_TRUE(has(report, "⎡  1 ▸0 ⎤"));
+    EXPECT_TRUE(has(report, "⎣ ▸5  1 ⎦"));
+    EXPECT_TRUE(has(report, "the transpose of the expected one. (probably)"));
+    EXPECT_FALSE(has(report, "less likely"));
+    EXPECT_TRUE(has(report, "│ hello\n"));
+    EXPECT_TRUE(has(report, "umbral debug projections/view-matrix 'far away'"));
+    EXPECT_TRUE(has(report, "1 of 1 unit is not right yet."));
 }
 
 TEST(Terminal, what_a_check_says_keeps_its_lines_and_is_not_told_twice)
@@ -59,7 +58,7 @@ TEST(Terminal, what_a_check_says_keeps_its_lines_and_is_not_told_twice)
     UnitResult unit = transposed();
     unit.checks[1].message = "does not compile:\na.frag:5: error: unexpected '{'";
     const auto report = [&] { return terminal_report(submission_result("ana", {unit}), {}); };
-    EXPECT_TRUE(contains(report(), "  a.frag:5: error: unexpected '{'\n"));
+    EXPECT_TRUE(has(report(), "  a.frag:5: error: unexpected '{'\n"));
     unit.message = "far away: " + unit.checks[1].message + "\n";
     EXPECT_EQ(report().find("a.frag:5"), report().rfind("a.frag:5"));
 }
@@ -69,8 +68,8 @@ TEST(Terminal, a_rubric_stands_line_by_line)
     UnitResult unit = transposed();
     unit.rubric = {{"Materiales", 1500, 2000}, {"Texturas", 2500, 2500}};
     const std::string text = unit_details(unit, 100, Paint({}));
-    EXPECT_TRUE(contains(text, "1.5 / 2  Materiales")) << text;
-    EXPECT_TRUE(contains(text, "2.5 / 2.5  Texturas")) << text;
+    EXPECT_TRUE(has(text, "1.5 / 2  Materiales")) << text;
+    EXPECT_TRUE(has(text, "2.5 / 2.5  Texturas")) << text;
 }
 
 TEST(Terminal, an_ambiguous_reason_is_said_to_be_one_of_several)
@@ -80,9 +79,9 @@ TEST(Terminal, an_ambiguous_reason_is_said_to_be_one_of_several)
                          {"mistake: b", "The second.", 0.95, 1, true},
                          {"c", "The third.", 0.9}};
     const std::string report = without_colour(terminal_report(submission_result("ana", {unit}), {}));
-    EXPECT_TRUE(contains(report, "why       Either: The first.\n")) << report;
-    EXPECT_TRUE(contains(report, " or: The second. (very likely one of these)\n")) << report;
-    EXPECT_FALSE(contains(report, "The third."));
+    EXPECT_TRUE(has(report, "why       Either: The first.\n")) << report;
+    EXPECT_TRUE(has(report, " or: The second. (very likely one of these)\n")) << report;
+    EXPECT_FALSE(has(report, "The third."));
 }
 
 TEST(Terminal, a_pattern_of_another_check_is_shown_where_no_reason_is_known)
@@ -91,11 +90,11 @@ TEST(Terminal, a_pattern_of_another_check_is_shown_where_no_reason_is_known)
                                   {check_result("axes/m", 0, 4000), check_result("far away/m", 0, 2500)});
     const auto printed = [&] { return terminal_report(submission_result("ana", {unit}), {}); };
     unit.checks[1].common = "every wrong answer is l";
-    EXPECT_TRUE(contains(printed(), "in far away/m: every wrong answer is l"));
+    EXPECT_TRUE(has(printed(), "in far away/m: every wrong answer is l"));
     unit.explanations = {{"transposed", "Your matrix is the transpose of the expected one.", 0.95}};
-    EXPECT_FALSE(contains(printed(), "every wrong answer"));
+    EXPECT_FALSE(has(printed(), "every wrong answer"));
     unit.checks[0].common = "every wrong answer is v";
-    EXPECT_TRUE(contains(printed(), "pattern   every wrong answer is v"));
+    EXPECT_TRUE(has(printed(), "pattern   every wrong answer is v"));
 }
 
 TEST(Terminal, a_sketch_stands_line_by_line)
@@ -104,11 +103,10 @@ TEST(Terminal, a_sketch_stands_line_by_line)
     unit.checks[1].first_difference = Difference{"pixel (1, 0) of triangle 3", "no fragment", "(0.5)"};
     unit.checks[1].sketch = "#-..\n##..\nx 0..3, y 0..1; # right - missing . empty";
     const std::string report = terminal_report(submission_result("ana", {unit}), {});
-    EXPECT_TRUE(
-        contains(report, " #-..\n              ##..\n              x 0..3, y 0..1; # right - missing . empty\n"))
+    EXPECT_TRUE(has(report, " #-..\n              ##..\n              x 0..3, y 0..1; # right - missing . empty\n"))
         << report;
-    EXPECT_TRUE(contains(report, "pixel (1, 0) of triangle 3"));
-    EXPECT_TRUE(contains(report, "no fragment"));
+    EXPECT_TRUE(has(report, "pixel (1, 0) of triangle 3"));
+    EXPECT_TRUE(has(report, "no fragment"));
 }
 
 TEST(Terminal, a_difference_of_calls_stands_side_by_side)
@@ -116,8 +114,8 @@ TEST(Terminal, a_difference_of_calls_stands_side_by_side)
     UnitResult unit = transposed();
     unit.checks[1].first_difference = Difference{"draw call 2", "glDrawArrays(GL_TRIANGLES, 3, 3)", "nothing"};
     const std::string report = terminal_report(submission_result("ana", {unit}), {.width = 100});
-    EXPECT_TRUE(contains(report, "yours                               expected\n")) << report;
-    EXPECT_TRUE(contains(report, "glDrawArrays(GL_TRIANGLES, 3, 3)    nothing\n")) << report;
+    EXPECT_TRUE(has(report, "yours                               expected\n")) << report;
+    EXPECT_TRUE(has(report, "glDrawArrays(GL_TRIANGLES, 3, 3)    nothing\n")) << report;
 }
 
 TEST(Terminal, equal_results_give_equal_reports_and_ascii_is_ascii)
@@ -146,8 +144,8 @@ TEST(Terminal, the_first_failing_check_is_the_most_exact_one_and_not_the_manifes
         return report.substr(at, report.find(' ', at) - at);
     };
     EXPECT_EQ(first(), "calls/calls");
-    EXPECT_TRUE(contains(terminal_report(submission_result("ana", {unit}), {.width = 160}),
-                         "also      dot/x, view/m, ids/ids, work/blocks, colours/image not right"));
+    EXPECT_TRUE(has(terminal_report(submission_result("ana", {unit}), {.width = 160}),
+                    "also      dot/x, view/m, ids/ids, work/blocks, colours/image not right"));
     unit.checks.pop_back();
     EXPECT_EQ(first(), "dot/x") << "of two as exact as each other, the manifest's first";
     unit.checks.resize(3);
@@ -162,7 +160,7 @@ TEST(Terminal, colour_adds_nothing_but_colour)
 {
     const SubmissionResult submission = submission_result("ana", {transposed()});
     const std::string coloured = terminal_report(submission, {.color = true});
-    EXPECT_TRUE(contains(coloured, "\x1b["));
+    EXPECT_TRUE(has(coloured, "\x1b["));
     EXPECT_EQ(without_colour(coloured), terminal_report(submission, {.color = false}));
 }
 
@@ -199,15 +197,15 @@ TEST(Terminal, hidden_checks_show_no_value)
     unit.explanations = {{"sign", "The sign is wrong.", 1}};
     const SubmissionResult submission = submission_result("ana", {unit});
     for (const std::string& report : {terminal_report(submission, {}), class_table({{}, {submission}}, {})}) {
-        EXPECT_FALSE(contains(report, "LEAK"));
-        EXPECT_FALSE(contains(report, "7777"));
+        EXPECT_FALSE(has(report, "LEAK"));
+        EXPECT_FALSE(has(report, "7777"));
     }
     const std::string report = terminal_report(submission, {});
-    EXPECT_TRUE(contains(report, "secret/t: wrong, 0 of 1 points"));
-    EXPECT_TRUE(contains(report, "The sign is wrong."));
-    EXPECT_TRUE(contains(report, "Every check that you can see is right, but a hidden one is not."));
-    EXPECT_TRUE(contains(report, "1 hidden check fails"));
-    EXPECT_FALSE(contains(report, "umbral debug a/b secret"));
+    EXPECT_TRUE(has(report, "secret/t: wrong, 0 of 1 points"));
+    EXPECT_TRUE(has(report, "The sign is wrong."));
+    EXPECT_TRUE(has(report, "Every check that you can see is right, but a hidden one is not."));
+    EXPECT_TRUE(has(report, "1 hidden check fails"));
+    EXPECT_FALSE(has(report, "umbral debug a/b secret"));
 }
 
 TEST(Terminal, never_says_all_right_while_a_hidden_check_fails)
@@ -217,18 +215,18 @@ TEST(Terminal, never_says_all_right_while_a_hidden_check_fails)
     EXPECT_FALSE(all_right(unit));
     EXPECT_EQ(shown_verdict(unit), Verdict::partial);
     std::string report = terminal_report(submission_result("ana", {unit}), {});
-    EXPECT_FALSE(contains(report, "all right"));
-    EXPECT_FALSE(contains(report, "Everything is right"));
-    EXPECT_FALSE(contains(report, "✓"));
-    EXPECT_FALSE(contains(report, "██████████"));
+    EXPECT_FALSE(has(report, "all right"));
+    EXPECT_FALSE(has(report, "Everything is right"));
+    EXPECT_FALSE(has(report, "✓"));
+    EXPECT_FALSE(has(report, "██████████"));
 
     unit.checks[1].score = 1000;
     unit.score = 2000;
     report = terminal_report(submission_result("ana", {unit}), {});
-    EXPECT_TRUE(contains(report, "Everything is right."));
-    EXPECT_TRUE(contains(report, "all right"));
-    EXPECT_TRUE(contains(report, "██████████"));
-    EXPECT_FALSE(contains(terminal_report(submission_result("ana", {}), {}), "Everything is right"));
+    EXPECT_TRUE(has(report, "Everything is right."));
+    EXPECT_TRUE(has(report, "all right"));
+    EXPECT_TRUE(has(report, "██████████"));
+    EXPECT_FALSE(has(terminal_report(submission_result("ana", {}), {}), "Everything is right"));
     EXPECT_FALSE(all_right(unit_result("a/b", Verdict::ok, {}))) << "no check ran";
 }
 
@@ -249,9 +247,9 @@ TEST(Terminal, hostile_texts_are_shown_and_do_nothing)
         for (const std::string& report :
              {terminal_report(submission, {.color = color}), class_table({{}, {submission}}, {.color = color})}) {
             const std::string rest = without_colour(report);
-            EXPECT_FALSE(contains(report, "\x1b[2J"));
+            EXPECT_FALSE(has(report, "\x1b[2J"));
             EXPECT_EQ(rest.find_first_of("\x1b\x07\r\x7f"), std::string::npos);
-            EXPECT_FALSE(contains(rest, "\u202E"));
+            EXPECT_FALSE(has(rest, "\u202E"));
             EXPECT_EQ(rest.find('\xFF'), std::string::npos);
         }
     }
@@ -266,7 +264,7 @@ TEST(Terminal, a_megabyte_of_output_stays_short)
         unit.message = flood;
         const std::string report = terminal_report(submission_result("ana", {unit}), {});
         EXPECT_LT(report.size(), 16000U);
-        EXPECT_TRUE(contains(report, "1048576 bytes in all"));
+        EXPECT_TRUE(has(report, "1048576 bytes in all"));
     }
 }
 
@@ -281,17 +279,17 @@ TEST(Terminal, numbers_that_are_none_do_no_harm)
     unit.checks[0].error = INFINITY;
     unit.checks[0].metrics = {{"m", nan}};
     const std::string report = terminal_report(submission_result("ana", {unit}), {});
-    EXPECT_FALSE(contains(report, "nan"));
-    EXPECT_FALSE(contains(report, "inf"));
-    EXPECT_TRUE(contains(report, "(perhaps)"));
+    EXPECT_FALSE(has(report, "nan"));
+    EXPECT_FALSE(has(report, "inf"));
+    EXPECT_TRUE(has(report, "(perhaps)"));
 }
 
 TEST(Terminal, a_grader_fault_is_not_blamed_on_the_student)
 {
     UnitResult unit = unit_result("a/b", Verdict::grader_fault, {});
     const std::string report = terminal_report(submission_result("ana", {unit}), {});
-    EXPECT_TRUE(contains(report, "the grader's fault, not yours"));
-    EXPECT_FALSE(contains(report, "umbral hint"));
+    EXPECT_TRUE(has(report, "the grader's fault, not yours"));
+    EXPECT_FALSE(has(report, "umbral hint"));
 }
 
 }

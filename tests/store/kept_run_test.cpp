@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "support/printed.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace umbral::grader {
@@ -20,12 +21,6 @@ KeptRun run()
     std::fill(numbers.bytes.begin() + 8, numbers.bytes.end(), std::byte{0});  // of the cell that has no value
     run.tensors = {{"none", {Element::int32, 0, 3, 1, {}, {}}}, {"picture", picture}, {"t.margin", numbers}};
     return run;
-}
-
-std::string read(const std::filesystem::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 TEST(KeptRun, comes_back_bit_for_bit)
@@ -46,7 +41,7 @@ TEST(KeptRun, is_nothing_if_missing_or_damaged_anywhere)
     EXPECT_FALSE(kept_run(folder / "missing"));
     EXPECT_FALSE(kept_run(folder.path()));
     keep_run(folder / "run", run());
-    const std::string text = read(folder / "run");
+    const std::string text = umbral::test::read(folder / "run");
     // Each byte of both ends, where all that is not padding lies, and some between.
     constexpr std::size_t end = 400;
     for (std::size_t i = 0; i < text.size(); i += i < end || i + end > text.size() ? 1 : 509) {

@@ -6,18 +6,13 @@
 #include <random>
 
 #include "../model/results.hpp"
+#include "support/printed.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace umbral::grader {
 namespace {
 
 using umbral::test::TemporaryFolder;
-
-std::string read(const std::filesystem::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 KeptUnit kept() { return {std::string(64, 'k'), "machine", test::submission().units[0]}; }
 
@@ -49,7 +44,7 @@ TEST(KeptUnit, damaged_files_are_not_there)
     const TemporaryFolder folder;
     const auto file = folder / "one.unit";
     keep_unit(file, kept(), sections);
-    const std::string whole = read(file);
+    const std::string whole = umbral::test::read(file);
     const std::string expected = to_json(kept().result).dump();
     for (std::size_t size = 0; size < whole.size(); size += 1 + size / 16) {
         folder.write("one.unit", whole.substr(0, size));

@@ -14,7 +14,7 @@
 namespace umbral::grader {
 namespace {
 
-struct Counts {
+struct PairCounts {
     std::size_t bugs = 0;
     std::size_t shown = 0;
     std::size_t caught = 0;
@@ -25,12 +25,12 @@ struct Counts {
 /// A pair by its scene and what was changed there.
 std::pair<std::string, std::string> name_of(const MeasuredPair& pair) { return {pair.scene, pair.change}; }
 
-Counts count(const JudgedSize& size, const JudgedSize& largest)
+PairCounts count(const JudgedSize& size, const JudgedSize& largest)
 {
     std::set<std::pair<std::string, std::string>> bugs;
     for (const MeasuredPair& pair : largest.pairs)
         if (is_bug(pair)) bugs.insert(name_of(pair));
-    Counts counts;
+    PairCounts counts;
     for (const MeasuredPair& pair : size.pairs) {
         const bool caught = pair.ours.worst > 1;
         if (!pair.harmful) {
@@ -71,7 +71,7 @@ std::string resolution_table(std::span<const JudgedSize> sizes)
     if (sizes.empty()) return text;
     const JudgedSize& largest = *std::ranges::max_element(sizes, {}, &JudgedSize::side);
     for (const JudgedSize& size : sizes) {
-        const Counts found = count(size, largest);
+        const PairCounts found = count(size, largest);
         text += fmt::format("| {} | {:.2f} ms | {} of {} ({:.1f} %) | {} ({:.1f} %) | {} of {} |\n", size.side,
                             size.milliseconds, found.shown, found.bugs, percent(found.shown, found.bugs), found.caught,
                             percent(found.caught, found.bugs), found.alarms, found.harmless);

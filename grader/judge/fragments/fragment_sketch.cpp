@@ -26,7 +26,7 @@ const Sign& sign_of(const FragmentTally& tally)
     return tally.wrong_value > 0 ? wrong_sign : right_sign;
 }
 
-struct Window {
+struct PlaceWindow {
     Place low;
     Place high;
     [[nodiscard]] bool holds(const Place& place) const
@@ -36,11 +36,11 @@ struct Window {
 };
 
 // The pixels that either side has round the centre, cut to the reach.
-Window window_of(Fragments yours, Fragments expected, const Place& centre)
+PlaceWindow window_of(Fragments yours, Fragments expected, const Place& centre)
 {
-    const Window reachable{{centre.primitive, centre.y - pixel_reach, centre.x - pixel_reach},
-                           {centre.primitive, centre.y + pixel_reach, centre.x + pixel_reach}};
-    Window window{centre, centre};
+    const PlaceWindow reachable{{centre.primitive, centre.y - pixel_reach, centre.x - pixel_reach},
+                                {centre.primitive, centre.y + pixel_reach, centre.x + pixel_reach}};
+    PlaceWindow window{centre, centre};
     for (const Fragments list : {yours, expected})
         for (const Fragment& fragment : list) {
             if (!reachable.holds(fragment.place)) continue;
@@ -59,7 +59,7 @@ std::string fragment_sketch(const FragmentMatcher& matcher, const FragmentTable&
 {
     const Fragments here = yours.of(centre.primitive);
     const Fragments there = expected.of(centre.primitive);
-    const Window window = window_of(here, there, centre);
+    const PlaceWindow window = window_of(here, there, centre);
     const auto width = static_cast<std::size_t>(window.high.x - window.low.x + 1);
     std::vector<std::string> rows(static_cast<std::size_t>(window.high.y - window.low.y + 1),
                                   std::string(width, empty_sign.letter));
