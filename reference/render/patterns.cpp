@@ -7,7 +7,7 @@
 namespace umbral::render {
 namespace {
 
-constexpr float turn = 6.2831853F;
+constexpr float full_turn = 6.2831853F;
 
 /// 32 well mixed bits of a place and a number (Wellons, "prospecting for hash functions", 2018).
 std::uint32_t hash(int x, int y, std::uint32_t which)
@@ -48,7 +48,7 @@ float periodic_noise(const glm::vec2& place, const glm::ivec2& period)
     const auto slope = [&](int dx, int dy) {
         const int x = wrapped(static_cast<int>(corner.x) + dx, period.x);
         const int y = wrapped(static_cast<int>(corner.y) + dy, period.y);
-        const float angle = turn * random_at(x, y, 1);
+        const float angle = full_turn * random_at(x, y, 1);
         const glm::vec2 away = inside - glm::vec2(dx, dy);
         return std::cos(angle) * away.x + std::sin(angle) * away.y;
     };
@@ -69,7 +69,8 @@ glm::vec3 wood(const scene::Texture& texture, const glm::vec2& uv)
     // Each board is cut from its own place of the trunk: its rings are hyperbolas, stretched along the grain.
     const float waver = periodic_noise({3.0F * in_board + own, 2.0F * uv.y}, {64, 2});
     const float side = in_board - 0.5F + 0.7F * (random_at(board, 1, 2) - 0.5F);
-    const float ring = 7.0F * std::sqrt(side * side + 0.02F + 0.06F * (1 + std::cos(turn * uv.y + own))) + 0.9F * waver;
+    const float ring =
+        7.0F * std::sqrt(side * side + 0.02F + 0.06F * (1 + std::cos(full_turn * uv.y + own))) + 0.9F * waver;
     const float late = glm::fract(ring);
     const float dark = late * late * (late < 0.93F ? 1.0F : (1 - late) / 0.07F);
     const float fibre = periodic_noise({70.0F * in_board + own, 6.0F * uv.y}, {256, 6});
@@ -83,8 +84,8 @@ glm::vec3 marble(const scene::Texture& texture, const glm::vec2& uv)
     const int cells = texture.cells;
     const glm::vec2 place = uv * static_cast<float>(cells);
     const float bent = fractal_noise(place, glm::ivec2(cells), 5);
-    const float bands =
-        std::sin(turn * (uv.x + uv.y) * std::max(1.0F, std::round(0.25F * static_cast<float>(cells))) + 5.5F * bent);
+    const float bands = std::sin(
+        full_turn * (uv.x + uv.y) * std::max(1.0F, std::round(0.25F * static_cast<float>(cells))) + 5.5F * bent);
     const float vein = std::pow(1 - std::abs(bands), 3.0F);
     const float cloud = 0.5F + 0.5F * fractal_noise(place + 0.37F, glm::ivec2(cells), 4);
     return glm::clamp(glm::mix(texture.first, texture.second, 0.75F * vein + 0.18F * cloud * cloud), 0.0F, 1.0F);

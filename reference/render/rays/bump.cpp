@@ -6,7 +6,10 @@ namespace umbral::render::rays {
 namespace {
 
 /// Without the part along the normal.
-glm::vec3 across(const glm::vec3& tangent, const glm::vec3& normal) { return tangent - dot(tangent, normal) * normal; }
+glm::vec3 without_part_along(const glm::vec3& tangent, const glm::vec3& normal)
+{
+    return tangent - dot(tangent, normal) * normal;
+}
 
 }
 
@@ -20,8 +23,8 @@ glm::vec3 bumped(const World& world, const Seen& seen, const glm::vec3& directio
         {corner(0).position, corner(1).position, corner(2).position}, {uv(0), uv(1), uv(2)});
     // Heights are counted outwards, whichever side is seen.
     const glm::vec3 outward = seen.from_behind ? -seen.normal : seen.normal;
-    tangents.u = across(tangents.u, outward);
-    tangents.v = across(tangents.v, outward);
+    tangents.u = without_part_along(tangents.u, outward);
+    tangents.v = without_part_along(tangents.v, outward);
     const Grid<glm::vec4>& heights = world.list->textures[*seen.draw->bump].texels;
     const glm::vec2 slopes = texturing::slopes(heights, seen.uv * material.texture_scale, material.bump_height);
     const glm::vec3 raised = texturing::bumped_normal(outward, tangents, slopes);
