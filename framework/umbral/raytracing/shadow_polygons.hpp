@@ -27,7 +27,7 @@ using FlatPolygon = std::vector<glm::vec3>;
                                          const FlatPolygon& receiver);
 
 /// The matrix that takes each point to its mirror image in the plane n·p + w = 0, with n = plane.xyz of any length but
-/// 0 and w = plane.w. Course: reflection in planar mirrors.
+/// 0 and w = plane.w, at most 1e18 from the origin. Course: reflection in planar mirrors.
 [[nodiscard]] glm::mat4 mirror_matrix(const glm::vec4& plane);
 
 /// The view matrix of the camera that is symmetric to the one of `view`: what it sees at a place of the picture is what

@@ -29,7 +29,8 @@ enum class FrameKind : std::int32_t {
 
 /// The matrix from coordinates in the world to those in the frame, which may be any that is not degenerate. The
 /// reference rounds once where the volume of the frame's vectors is at least 1e-6 of the product of their lengths: it
-/// computes in double, which keeps no more of a thinner frame. The same holds of `to` in between_frames.
+/// computes in double, which keeps no more of a thinner frame, nor of terms that cancel each other to 1e-9 of their
+/// size. The same holds of `to` in between_frames.
 [[nodiscard]] glm::mat4 inverse_of_frame(const Frame& frame);
 
 /// The same for a Cartesian frame, by the transpose: no division, no determinant. What it makes of other frames is not

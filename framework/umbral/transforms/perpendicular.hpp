@@ -36,7 +36,7 @@ struct PlaneFrame {
 [[nodiscard]] glm::mat3 plane_rotation_matrix(float angle);
 
 /// P_e(u) = e × u in space: perpendicular to both. Its length is |e||u| times the sine of their angle; null if they are
-/// parallel.
+/// parallel. Components are at most 1e18: the products of larger ones are no floats.
 [[nodiscard]] glm::vec3 across(const glm::vec3& e, const glm::vec3& u);
 
 /// The matrix of P_e: across_matrix(e) · u = across(e, u) for every u.

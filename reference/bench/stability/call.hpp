@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct Call {
 
 [[nodiscard]] inline glm::vec2 u_at(Numbers x, std::size_t at) { return {x[at], x[at + 1]}; }
 [[nodiscard]] inline glm::vec3 v_at(Numbers x, std::size_t at) { return {x[at], x[at + 1], x[at + 2]}; }
+[[nodiscard]] inline glm::vec4 w_at(Numbers x, std::size_t at) { return {v_at(x, at), x[at + 3]}; }
 [[nodiscard]] inline glm::mat3 m_at(Numbers x, std::size_t at)
 {
     return {v_at(x, at), v_at(x, at + 3), v_at(x, at + 6)};
@@ -44,6 +46,7 @@ struct Call {
 [[nodiscard]] inline Answer numbers(float value) { return {value}; }
 [[nodiscard]] inline Answer numbers(const glm::vec2& v) { return {v.x, v.y}; }
 [[nodiscard]] inline Answer numbers(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+[[nodiscard]] inline Answer numbers(const glm::vec4& v) { return {v.x, v.y, v.z, v.w}; }
 template <int Size>
 [[nodiscard]] Answer numbers(const glm::mat<Size, Size, float>& matrix)
 {
@@ -51,6 +54,12 @@ template <int Size>
     for (int column = 0; column < Size; ++column)
         for (int row = 0; row < Size; ++row) all.push_back(matrix[column][row]);
     return all;
+}
+
+template <class Value>
+[[nodiscard]] Answer numbers(const std::optional<Value>& value)
+{
+    return value ? numbers(*value) : Answer{};
 }
 
 /// One after the other.

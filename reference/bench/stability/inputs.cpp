@@ -15,6 +15,7 @@ std::size_t size_of(char letter)
         case 'f': return 1;
         case 'u': return 2;
         case 'v': return 3;
+        case 'w': return 4;
         case 'm': return 9;
         case 'M': return 16;
         default: return 0;

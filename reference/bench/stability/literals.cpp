@@ -37,6 +37,7 @@ std::string code_of(const Call& call, Numbers x)
             case 'f': take("", 1, ""); break;
             case 'u': take("glm::vec2(", 2, ")"); break;
             case 'v': take("glm::vec3(", 3, ")"); break;
+            case 'w': take("glm::vec4(", 4, ")"); break;
             case 'm': take("glm::mat3(", 9, ")"); break;
             case 'M': take("glm::mat4(", 16, ")"); break;
             case '{':

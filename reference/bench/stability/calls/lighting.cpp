@@ -6,6 +6,7 @@
 #include <umbral/lighting/phong.hpp>
 
 #include "../calls.hpp"
+#include "../plain_call.hpp"
 
 namespace umbral::bench {
 namespace {
@@ -23,12 +24,9 @@ std::vector<Call> lighting_calls()
              const auto half = half_vector(v_at(x, 0), v_at(x, 3));
              return half ? numbers(*half) : Answer{};
          }},
-        {"lighting::blinn_highlight", "vvvf",
-         [](Numbers x) { return numbers(blinn_highlight(v_at(x, 0), v_at(x, 3), v_at(x, 6), x[9])); }},
-        {"lighting::phong_highlight", "vvvf",
-         [](Numbers x) { return numbers(phong_highlight(v_at(x, 0), v_at(x, 3), v_at(x, 6), x[9])); }},
-        {"lighting::mirrored_direction", "vv",
-         [](Numbers x) { return numbers(lighting::mirrored_direction(v_at(x, 0), v_at(x, 3))); }},
+        call<blinn_highlight>("lighting::blinn_highlight"),
+        call<phong_highlight>("lighting::phong_highlight"),
+        call<lighting::mirrored_direction>("lighting::mirrored_direction"),
         {"lighting::direction_to_light", "{{v,1}}v",
          [](Numbers x) {
              return numbers(direction_to_light({glm::vec4(v_at(x, 0), 1), glm::vec3(1)}, v_at(x, 3)));
@@ -42,8 +40,8 @@ std::vector<Call> lighting_calls()
              const LightAngles angles = light_angles(v_at(x, 0));
              return joined(angles.longitude_degrees, angles.latitude_degrees);
          }},
-        {"lighting::encode_srgb", "f", [](Numbers x) { return numbers(encode_srgb(x[0])); }},
-        {"lighting::decode_srgb", "f", [](Numbers x) { return numbers(decode_srgb(x[0])); }},
+        call<encode_srgb>("lighting::encode_srgb"),
+        call<decode_srgb>("lighting::decode_srgb"),
         {"lighting::brightest_diffuse", "{vf}{{v,1}}",
          [](Numbers x) {
              return numbers(brightest_diffuse({v_at(x, 0), x[3]}, {glm::vec4(v_at(x, 4), 1), glm::vec3(1)}));

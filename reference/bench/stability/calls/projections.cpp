@@ -8,7 +8,9 @@
 #include <umbral/projections/view.hpp>
 #include <umbral/projections/view_frame.hpp>
 
+#include <umbral/interaction/keyframes.hpp>
 #include "../calls.hpp"
+#include "../plain_call.hpp"
 
 namespace umbral::bench {
 namespace {
@@ -41,9 +43,8 @@ std::vector<Call> projections_calls()
         {"projections::perspective_matrix", "{ffff}", [](Numbers x) { return numbers(perspective_matrix(lens(x))); }},
         {"projections::reversed_perspective_matrix", "{ffff}",
          [](Numbers x) { return numbers(reversed_perspective_matrix(lens(x))); }},
-        {"projections::vertical_field_of_view", "ff",
-         [](Numbers x) { return numbers(vertical_field_of_view(x[0], x[1])); }},
-        {"projections::foreshortening_of", "f", [](Numbers x) { return numbers(foreshortening_of(x[0])); }},
+        call<vertical_field_of_view>("projections::vertical_field_of_view"),
+        call<foreshortening_of>("projections::foreshortening_of"),
         {"projections::oblique_shear", "{ff}",
          [](Numbers x) {
              return numbers(oblique_shear({x[0], x[1]}));
@@ -55,13 +56,12 @@ std::vector<Call> projections_calls()
         {"projections::spherical_projection", "v", [](Numbers x) { return curved(spherical_projection(v_at(x, 0))); }},
         {"projections::cylindrical_projection", "v",
          [](Numbers x) { return curved(cylindrical_projection(v_at(x, 0))); }},
-        {"projections::visual_angle", "vv", [](Numbers x) { return numbers(visual_angle(v_at(x, 0), v_at(x, 3))); }},
+        call<visual_angle>("projections::visual_angle"),
         {"projections::parallax", "{ffffff}f",
          [](Numbers x) {
              return numbers(parallax({x[0], x[1], x[2], x[3], x[4], x[5]}, x[6]));
          }},
-        {"projections::view_matrix", "vvv",
-         [](Numbers x) { return numbers(view_matrix(v_at(x, 0), v_at(x, 3), v_at(x, 6))); }},
+        call<view_matrix>("projections::view_matrix"),
         {"projections::view_frame", "{vvv}",
          [](Numbers x) {
              return framed(view_frame({v_at(x, 0), v_at(x, 3), v_at(x, 6)}));
@@ -70,6 +70,17 @@ std::vector<Call> projections_calls()
          [](Numbers x) {
              const auto pose = interaction::flight_pose(flight(x), x[13]);
              return joined(pose.eye, pose.target);
+         }},
+        call<project_point>("projections::project_point"),
+        {"projections::view_from", "vffff",
+         [](Numbers x) {
+             const ViewParameters view = view_from(v_at(x, 0), x[3], x[4], x[5], x[6]);
+             return joined(view.target, view.up, view.normal);
+         }},
+        {"interaction::rolling_turn", "uf",
+         [](Numbers x) {
+             const auto turn = interaction::rolling_turn(u_at(x, 0), x[2]);
+             return joined(turn.w, turn.v);
          }},
     };
 }

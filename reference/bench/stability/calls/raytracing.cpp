@@ -4,7 +4,11 @@
 #include <umbral/raytracing/reflect_refract.hpp>
 #include <umbral/raytracing/triangle.hpp>
 
+#include <umbral/raytracing/path_tracing.hpp>
+#include <umbral/raytracing/shadow_polygons.hpp>
+#include <umbral/raytracing/sphere_tracing.hpp>
 #include "../calls.hpp"
+#include "../plain_call.hpp"
 
 namespace umbral::bench {
 namespace {
@@ -12,7 +16,6 @@ namespace {
 using namespace stability;
 using namespace raytracing;
 
-Answer some(const std::optional<float>& value) { return value ? Answer{*value} : Answer{}; }
 Ray ray(Numbers x) { return {v_at(x, 0), v_at(x, 3)}; }
 
 }
@@ -22,22 +25,32 @@ std::vector<Call> raytracing_calls()
     return {
         {"raytracing::intersect sphere", "{vv}{vf}",
          [](Numbers x) {
-             return some(intersect(ray(x), Sphere{v_at(x, 6), x[9]}));
+             return numbers(intersect(ray(x), Sphere{v_at(x, 6), x[9]}));
          }},
         {"raytracing::intersect disc", "{vv}{vvf}",
          [](Numbers x) {
-             return some(intersect(ray(x), Disc{v_at(x, 6), v_at(x, 9), x[12]}));
+             return numbers(intersect(ray(x), Disc{v_at(x, 6), v_at(x, 9), x[12]}));
          }},
         {"raytracing::intersect triangle", "{vv}{vvv}",
          [](Numbers x) {
              const auto hit = intersect(ray(x), Triangle{v_at(x, 6), v_at(x, 9), v_at(x, 12)});
              return hit ? Answer{hit->t} : Answer{};
          }},
-        {"raytracing::unit_cylinder_field", "v", [](Numbers x) { return numbers(unit_cylinder_field(v_at(x, 0))); }},
-        {"raytracing::unit_cone_field", "v", [](Numbers x) { return numbers(unit_cone_field(v_at(x, 0))); }},
-        {"raytracing::mirrored_direction", "vv",
-         [](Numbers x) { return numbers(raytracing::mirrored_direction(v_at(x, 0), v_at(x, 3))); }},
-        {"raytracing::critical_angle", "ff", [](Numbers x) { return some(critical_angle(x[0], x[1])); }},
+        call<unit_cylinder_field>("raytracing::unit_cylinder_field"),
+        call<unit_cone_field>("raytracing::unit_cone_field"),
+        call<raytracing::mirrored_direction>("raytracing::mirrored_direction"),
+        call<critical_angle>("raytracing::critical_angle"),
+        {"raytracing::intersect_unit_cylinder", "{vv}",
+         [](Numbers x) { return numbers(intersect_unit_cylinder(ray(x))); }},
+        {"raytracing::intersect_unit_cone", "{vv}", [](Numbers x) { return numbers(intersect_unit_cone(ray(x))); }},
+        call<cosine_density>("raytracing::cosine_density"),
+        call<refracted_direction>("raytracing::refracted_direction"),
+        call<mirror_matrix>("raytracing::mirror_matrix"),
+        call<mirrored_view>("raytracing::mirrored_view"),
+        call<sdf::ball_distance>("raytracing::sdf::ball_distance"),
+        call<sdf::box_distance>("raytracing::sdf::box_distance"),
+        call<sdf::torus_distance>("raytracing::sdf::torus_distance"),
+        call<sdf::capsule_distance>("raytracing::sdf::capsule_distance"),
     };
 }
 
