@@ -16,8 +16,8 @@ inline constexpr Millipoints believed_part = 2;
 [[nodiscard]] bool has_other_inputs(Worker& worker, const Exercise& exercise, const Check& check,
                                     const SeedPlan& seeds);
 
-/// Asks visible cases again with inputs that follow from the secret, the same for a class: what a check earned it must
-/// earn there too. One that earns a tenth of its points less with two such inputs, one after the other, and less than
+/// Asks visible cases again with inputs that follow from the secret and the work: what a check earned it must earn
+/// there too. One that earns a tenth of its points less with two such inputs, one after the other, and less than
 /// half of what it had or fewer right answers than by chance, keeps what the better of the two earned. Work that is
 /// right, or wrong in its own way, earns alike with all inputs of a case.
 ///

@@ -30,14 +30,15 @@ std::string too_many(const std::string& value, const RunOutcome& student, const 
                        right->rows);
 }
 
-/// Judges the answers before and between crashes. With one that is missing no check is all right, however much it may
-/// forgive.
-void judge_answers(const Check& check, const AnswersPastCrashes& answers, const Tensor& expected, const Tensor* margin,
-                   double control, CheckResult& result)
+/// Judges the answers before and between crashes, or of functions that are written. With one that is missing no check
+/// is all right, however much it may forgive.
+void judge_answers(const Check& check, const AnswersPastCrashes& answers, const Expected& expected, double control,
+                   CheckResult& result)
 {
     const std::string trouble = std::move(result.message);
-    take_judgement(check, judge(check, answers.tensor, expected, margin), control, result);
-    const auto rows = static_cast<Millipoints>(expected.rows);
+    take_judgement(check, judge(check, answers.tensor, *expected.value, expected.margin, expected.names), control,
+                   result);
+    const auto rows = static_cast<Millipoints>(expected.value->rows);
     const auto lost = static_cast<Millipoints>(answers.lost.size());
     result.score = std::min(result.score, result.max_score * (rows - lost) / std::max<Millipoints>(rows, 1));
     if (lost == 0) return;
@@ -173,8 +174,12 @@ CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutc
     result.reference_error = basis.reference_error;
     result.message = kept_from_judging(check, one, expected_run);
     if (!result.message.empty()) {
-        if (const auto answers = answers_past_crashes(check, one, *expected))
-            judge_answers(check, *answers, *expected, margin, basis.control, result);
+        const auto answers = answers_past_crashes(check, one, *expected);
+        const bool nothing_written = one.is_stub() && answers && answers->lost.size() == expected->rows;
+        if (answers && !nothing_written)
+            judge_answers(check, *answers, {expected, margin, names}, basis.control, result);
+        else if (one.is_stub() && !answers)
+            result.message = "not judged: the case calls a function that is not written yet";
         return result;
     }
     const Judgement judgement = check.relation

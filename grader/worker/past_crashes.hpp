@@ -24,7 +24,7 @@ void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& buil
 /// The rows of a check that the run itself says have no answer. Whoever forges them names others of their own rows.
 [[nodiscard]] std::vector<std::uint32_t> rows_without_answers(const Check& check, const RunOutcome& run);
 
-/// What a case that crashed recorded for a check.
+/// What a case that crashed, or reached a stub, recorded for a check.
 struct AnswersPastCrashes {
     Tensor tensor;                  ///< of the expected shape
     std::vector<std::size_t> lost;  ///< rows that follow from no answer, in order: made wrong, whatever they hold

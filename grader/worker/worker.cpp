@@ -83,6 +83,7 @@ WantedTensors Worker::wanted(const Exercise& exercise, const std::string& case_n
             std::size_t& most = wanted[value];
             most = std::max(most, most_cells(check, tensor == nullptr ? 0 : tensor->cells()));
             wanted[value + std::string(refusals::suffix)] = refusals::most_bytes;
+            wanted[std::string(rows_without_answer) + value] = most;
             if (judge_of(check).counts_work) wanted[value + std::string(cost_answers_suffix)] = most;
         }
     }
@@ -130,8 +131,6 @@ RunOutcome Worker::run_past(const Exercise& exercise, const Built& built, const 
 {
     RunRequest wanted = students_request(exercise, built, case_name, seed);
     wanted.passed_over = passed_over;
-    for (const auto& [name, most] : WantedTensors(wanted.wanted))
-        wanted.wanted.emplace(std::string(rows_without_answer) + name, most);
     return spare_time_.spent_on(spawner(exercise.gl).run(wanted));
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <umbral/core/not_implemented_count.hpp>
 #include <utility>
 
 namespace umbral {
@@ -17,6 +18,7 @@ bool Progress::begin(std::string_view function)
     const std::size_t size = std::min(function.size(), function_.size() - 1);
     std::memcpy(function_.data(), function.data(), size);
     function_[size] = 0;
+    stubs_before_ = not_implemented_count();
     if (question >= passed_over_.end) end_();
     const auto found = passed_over_.functions.find(function);
     passes_over_ = (passed_over_.only != no_question && question != passed_over_.only) ||
@@ -27,7 +29,7 @@ bool Progress::begin(std::string_view function)
 
 void Progress::add_row(std::string_view value, std::uint32_t row)
 {
-    if (!passes_over_) return;
+    if (!passes_over_ && not_implemented_count() == stubs_before_) return;
     auto found = lost_.find(value);
     if (found == lost_.end()) found = lost_.emplace(std::string(value), std::vector<std::uint32_t>()).first;
     found->second.push_back(row);

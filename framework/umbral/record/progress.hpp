@@ -24,7 +24,8 @@ struct PassedOver {
     std::uint32_t only = no_question;  ///< if given, all others are passed over
 };
 
-/// In a recording, before a value's name: the rows of its table that follow from an answer that nobody gave.
+/// In a recording, before a value's name: the rows of its table that follow from an answer that nobody gave, since the
+/// question was passed over or reached a stub.
 inline constexpr std::string_view rows_without_answer = "?lost ";
 
 /// How far a student's run came with its questions, written where it can be read when the run is dead: a crash is told
@@ -51,6 +52,7 @@ private:
     PassedOver passed_over_;
     std::function<void()> end_;
     bool passes_over_ = false;
+    unsigned stubs_before_ = 0;  ///< how often a stub had been reached when the question began
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> lost_;
 };
 
