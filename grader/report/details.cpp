@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "judge/judges.hpp"
+#include "report/failing_order.hpp"
 #include "report/hidden.hpp"
 #include "report/layout.hpp"
 #include "report/reasons.hpp"
@@ -22,7 +22,10 @@ bool fails(const CheckResult& check) { return check.score < check.max_score; }
 
 std::string check_words(const CheckResult& check)
 {
-    const char* verdict = !fails(check) ? "right" : check.score > 0 ? "partly right" : "wrong";
+    const std::string_view verdict = !fails(check)         ? "right"
+                                     : check.score > 0     ? "partly right"
+                                     : is_unwritten(check) ? in_words(Verdict::not_implemented)
+                                                           : "wrong";
     return fmt::format("{}, {} of {} points", verdict, points_text(check.score), points_text(check.max_score));
 }
 
@@ -121,13 +124,13 @@ void add_reasons(Block& block, const UnitResult& unit)
     }
 }
 
-/// The visible checks that fail, from exact to vague: the first is the one to look at.
+/// The visible checks that fail: the first is the one to look at.
 std::vector<const CheckResult*> failing_checks(const UnitResult& unit)
 {
     std::vector<const CheckResult*> failing;
     for (const CheckResult& check : unit.checks)
         if (!check.hidden && fails(check)) failing.push_back(&check);
-    std::ranges::stable_sort(failing, {}, [](const CheckResult* check) { return judge_of(*check).place; });
+    std::ranges::stable_sort(failing, {}, failing_order);
     return failing;
 }
 

@@ -91,6 +91,7 @@ std::string told_trouble(const CaseResult& one)
     const bool refused = !one.student.refused.empty();
     if (one.hidden && one.reached && one.student.verdict != Verdict::ok)
         return std::string(in_words(one.student.verdict));
+    if (one.is_stub()) return "a function that is asked there is not written yet";
     if (std::string trouble = one.trouble(); !trouble.empty()) return trouble;
     if (!refused) return "";
     return one.hidden ? "the sandbox refused calls" : "the sandbox refused " + listed(one.student.refused);

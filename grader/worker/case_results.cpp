@@ -178,8 +178,6 @@ CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutc
         const bool nothing_written = one.is_stub() && answers && answers->lost.size() == expected->rows;
         if (answers && !nothing_written)
             judge_answers(check, *answers, {expected, margin, names}, basis.control, result);
-        else if (one.is_stub() && !answers)
-            result.message = "not judged: the case calls a function that is not written yet";
         return result;
     }
     const Judgement judgement = check.relation

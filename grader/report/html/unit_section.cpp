@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "judge/judges.hpp"
+#include "report/failing_order.hpp"
 #include "report/hidden.hpp"
 #include "report/html/bars.hpp"
 #include "report/html/sections.hpp"
@@ -92,7 +92,7 @@ Markup rubric_table(const UnitResult& unit)
                                       rows));
 }
 
-/// Checks in the order in which they help: failures from exact to vague, hidden failures, what is right.
+/// Checks in the order in which they help: failures, hidden failures, what is right.
 struct Sorted {
     std::vector<const CheckResult*> articles;
     std::vector<const CheckResult*> hidden;
@@ -112,7 +112,7 @@ Sorted sorted(const UnitResult& unit, const Details& details)
         else
             result.right.push_back(&check);
     }
-    std::ranges::stable_sort(result.articles, {}, [](const CheckResult* check) { return judge_of(*check).place; });
+    std::ranges::stable_sort(result.articles, {}, failing_order);
     // One picture of a unit that is right: what it draws is worth a look.
     const auto shown =
         std::ranges::find_if(result.right, [&](const CheckResult* check) { return has_evidence(details.of(*check)); });
