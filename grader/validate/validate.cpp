@@ -223,6 +223,15 @@ Finding expect_reference(const std::filesystem::path& reference, const Exercise&
             missing.empty() ? "" : "expected " + missing + ", which is not there"};
 }
 
+/// The stub with a line of one's own in each file: an untouched one is not even built.
+Sources begun_stub(const Exercise& exercise)
+{
+    Sources sources = stub_sources(exercise);
+    if (exercise.is_cpp())
+        for (auto& [name, text] : sources) text += "\nnamespace {\n[[maybe_unused]] constexpr int begun = 1;\n}\n";
+    return sources;
+}
+
 void validate_unit(Worker& worker, const Exercise& exercise, unsigned seed, const Report& report,
                    KnownMistakes mistakes)
 {
@@ -267,7 +276,7 @@ void validate_unit(Worker& worker, const Exercise& exercise, unsigned seed, cons
     });
     guarded("fixed inputs", [&] { report(expect_few_fixed_inputs(worker, exercise, options_for(seed).seeds, seed)); });
     guarded("stub", [&] {
-        const UnitResult stub = grade_unit(worker, exercise, {stub_sources(exercise), {}, ""}, options_for(seed));
+        const UnitResult stub = grade_unit(worker, exercise, {begun_stub(exercise), {}, ""}, options_for(seed));
         report({exercise.id, "stub", seed, stub.verdict == Verdict::not_implemented && stub.score == 0, percent(stub),
                 "not_implemented", std::string(to_string(stub.verdict))});
     });
