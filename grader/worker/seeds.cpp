@@ -46,8 +46,8 @@ std::uint64_t SeedPlan::fresh_seed_of(const Exercise& exercise, const std::strin
 std::uint64_t SeedPlan::other_seed_of(const Exercise& exercise, const std::string& case_name, unsigned number) const
 {
     const std::uint64_t pool = case_seed(secret, course, student, exercise.id, "pool\nwork " + work, attempt) % pools;
-    return VariedSeed::with_mark(case_seed(
-        secret, course, "", exercise.id, fmt::format("{}\nother inputs {} of {}", case_name, number, pool), attempt));
+    return VariedSeed::with_mark(case_seed(secret, course, "", exercise.id,
+                                           fmt::format("{}\nother inputs {} of {}", case_name, number, pool), attempt));
 }
 
 std::uint64_t SeedPlan::public_seed_of(const Exercise& exercise, const std::string& case_name) const

@@ -25,9 +25,9 @@ struct SeedPlan {
     /// The seed with which a borderline case is run again: as secret, and unrelated to it.
     [[nodiscard]] std::uint64_t fresh_seed_of(const Exercise& exercise, const std::string& case_name) const;
     /// A seed of a visible case that follows from the secret: other inputs, of which there may be several, and those
-    /// that are written down in the driver varied (umbral/record/variation.hpp). There are 64 such seeds for a class, so
-    /// that the reference need not answer each student's own; which of them a work meets follows from the secret, the
-    /// student and the files. Of a run with them nothing is told but points.
+    /// that are written down in the driver varied (umbral/record/variation.hpp). There are 64 such seeds for a class,
+    /// so that the reference need not answer each student's own; which of them a work meets follows from the secret,
+    /// the student and the files. Of a run with them nothing is told but points.
     [[nodiscard]] std::uint64_t other_seed_of(const Exercise& exercise, const std::string& case_name,
                                               unsigned number) const;
     /// Another seed of a visible case, for varied inputs that are the same for all.

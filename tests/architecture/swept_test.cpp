@@ -26,8 +26,8 @@ std::vector<std::string> declarations_of(const std::filesystem::path& file)
 std::set<std::string> numeric_functions()
 {
     static const std::regex opened(R"(namespace umbral::([\w:]+) \{)");
-    static const std::regex function(
-        R"((?:\[\[nodiscard\]\] )?([\w:<>, ]+?) (\w+)\(((?:(?:const )?(?:float|glm::vec[234]|glm::mat[34])&? \w+(?:, )?)+)\);)");
+    const std::string argument = R"((?:const )?(?:float|glm::vec[234]|glm::mat[34])&? \w+(?:, )?)";
+    const std::regex function(R"((?:\[\[nodiscard\]\] )?([\w:<>, ]+?) (\w+)\((?:)" + argument + R"()+\);)");
     static const std::regex other_answer("void|bool|std::(vector|unique_ptr|string).*|.*(u8|i|u|d)vec.*");
     std::set<std::string> names;
     for (const auto& file : files_below("framework/umbral")) {

@@ -12,8 +12,8 @@
 /// outside: on the surface F is 0. Course: "signed distance function (SDF)".
 namespace umbral::raytracing::sdf {
 
-/// From a ball of this radius round the origin. Like all of these right to 1e-6 of the largest length that is given, for
-/// coordinates and lengths that are 0 or between 1e-15 and 1e15.
+/// From a ball of this radius round the origin. Like all of these right to 1e-6 of the largest length that is given,
+/// for coordinates and lengths that are 0 or between 1e-15 and 1e15.
 [[nodiscard]] float ball_distance(const glm::vec3& p, float radius);
 
 /// From the box from -half to half, whose components are at least 0.
