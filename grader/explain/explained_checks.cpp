@@ -14,11 +14,11 @@ namespace {
 /// Are all rows of this check answers of functions that are written, in a case that calls others too?
 bool is_written(const Check& check, const CaseResult& one)
 {
-    return std::ranges::all_of(values_of(check), [&](const std::string& value) {
-        const Tensor* recorded = tensor_of(one.student, value);
-        return recorded != nullptr && recorded->columns == 1 &&
-               tensor_of(one.student, std::string(rows_without_answer) + value) == nullptr;
-    });
+    return one.past && std::ranges::all_of(values_of(check), [&](const std::string& value) {
+               const Tensor* recorded = tensor_of(one.student, value);
+               return recorded != nullptr && recorded->columns == 1 &&
+                      tensor_of(one.student, std::string(rows_without_answer) + value) == nullptr;
+           });
 }
 
 }

@@ -277,8 +277,10 @@ void validate_unit(Worker& worker, const Exercise& exercise, unsigned seed, cons
     guarded("fixed inputs", [&] { report(expect_few_fixed_inputs(worker, exercise, options_for(seed).seeds, seed)); });
     guarded("stub", [&] {
         const UnitResult stub = grade_unit(worker, exercise, {begun_stub(exercise), {}, ""}, options_for(seed));
-        report({exercise.id, "stub", seed, stub.verdict == Verdict::not_implemented && stub.score == 0, percent(stub),
-                "not_implemented", std::string(to_string(stub.verdict))});
+        // Of a shader that is not written yet OpenGL says that it does not compile.
+        const bool unwritten = stub.verdict == Verdict::not_implemented || stub.verdict == Verdict::compile_error;
+        report({exercise.id, "stub", seed, unwritten && stub.score == 0, percent(stub), "not_implemented",
+                std::string(to_string(stub.verdict))});
     });
 }
 

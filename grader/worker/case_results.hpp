@@ -23,7 +23,7 @@ struct CaseResult {
     std::string place;  ///< where it crashed: "sphere.cpp:17"
     double reference_seconds = 0;
     std::string asked{};               ///< the question in which the run ended, as code; empty if it is not known
-    std::optional<RunOutcome> past{};  ///< the same without the questions in which it crashed (past_crashes.hpp)
+    std::optional<RunOutcome> past{};  ///< the same without the questions in which it crashed, or reached a stub
 
     [[nodiscard]] bool is_stub() const
     {

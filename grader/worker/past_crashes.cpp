@@ -125,14 +125,12 @@ std::vector<std::uint32_t> rows_without_answers(const Check& check, const RunOut
 std::optional<AnswersPastCrashes> answers_past_crashes(const Check& check, const CaseResult& one,
                                                        const Tensor& expected)
 {
-    // A run that reached a stub goes on: it tells itself which rows that concerns.
-    const RunOutcome* const run = one.past ? &*one.past : one.is_stub() ? &one.student : nullptr;
-    const Tensor* recorded = run != nullptr ? tensor_of(*run, check.value) : nullptr;
+    const Tensor* recorded = one.past ? tensor_of(*one.past, check.value) : nullptr;
     if (recorded == nullptr || recorded->columns != 1 || expected.columns != 1 || recorded->rows > expected.rows ||
         recorded->element != expected.element || recorded->components != expected.components ||
         recorded->present.empty() != expected.present.empty())
         return std::nullopt;
-    const std::vector<std::uint32_t> told = rows_without_answers(check, *run);
+    const std::vector<std::uint32_t> told = rows_without_answers(check, *one.past);
     AnswersPastCrashes answers{*recorded, {told.begin(), told.end()}};
     std::erase_if(answers.lost, [&](std::size_t row) { return row >= recorded->rows; });
     for (std::size_t row = recorded->rows; row < expected.rows; ++row) answers.lost.push_back(row);
