@@ -15,7 +15,7 @@ set(UMBRAL_TEST_PARTS "" CACHE STRING
   "Folders of tests/ whose tests are built; empty: all. `./umbral test` takes those whose turn it is")
 option(UMBRAL_FUZZ "Build fuzz targets instead of their replays; needs clang" OFF)
 set(UMBRAL_COMPILE_TOGETHER 0 CACHE STRING
-  "How many files of a library are compiled as one: 24 takes a third of the time; 0: each alone")
+  "How many files of a library are compiled as one: 24 takes less than half of the time; 0: each alone")
 set(UMBRAL_PACKAGE_CONTACT "Umbral <umbral@localhost>" CACHE STRING
   "Who maintains the packages that cpack makes, as NAME <ADDRESS>")
 

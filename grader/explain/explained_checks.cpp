@@ -2,23 +2,20 @@
 
 #include <algorithm>
 #include <tuple>
-#include <umbral/record/progress.hpp>
 
+#include "worker/past_crashes.hpp"
 #include "worker/related.hpp"
 #include "worker/weigh_cost.hpp"
 
 namespace umbral::grader {
-
 namespace {
 
-/// Are all rows of this check answers of functions that are written, in a case that calls others too?
+/// Are all rows of this check answers of functions that are written, in a case that asks others too?
 bool is_written(const Check& check, const CaseResult& one)
 {
-    return one.past && std::ranges::all_of(values_of(check), [&](const std::string& value) {
-               const Tensor* recorded = tensor_of(one.student, value);
-               return recorded != nullptr && recorded->columns == 1 &&
-                      tensor_of(one.student, std::string(rows_without_answer) + value) == nullptr;
-           });
+    const Tensor* recorded = one.past ? tensor_of(*one.past, check.value) : nullptr;
+    return !check.relation && recorded != nullptr && recorded->columns == 1 &&
+           rows_without_answers(check, *one.past).empty();
 }
 
 }
@@ -32,8 +29,8 @@ std::vector<CaseChecks> checks_by_case(Worker& worker, const Exercise& exercise,
         const Check& declared = exercise.checks[i];
         CaseChecks& group = *std::ranges::find(groups, declared.case_name, &CaseChecks::name);
         // Code that is not written yet says nothing about code that is.
-        if (group.result->is_stub() && !is_written(declared, *group.result)) continue;
-        if (!group.result->reached) continue;
+        const bool unwritten = group.result->is_stub() && !is_written(declared, *group.result);
+        if (unwritten || !group.result->reached) continue;
         const bool fails = result.checks[i].score < declared.points;
         if (declared.relation && !fails) continue;
         const RunOutcome& expected =

@@ -70,6 +70,7 @@ protected:
     {
         GradeOptions options;
         options.seeds.secret = "a secret of the test's";
+        options.seeds.work = "one work for all, which then meet the same inputs";
         options.explain = false;
         options.other_inputs = other_inputs;
         return grade_unit(worker, exercise, {sources, {}, ""}, options);
@@ -117,8 +118,7 @@ TEST_F(OtherInputs, half_a_solution_and_answers_for_known_inputs_earn_what_the_h
     for (std::size_t i = 0; i < result.checks.size(); ++i) {
         const CheckResult& check = result.checks[i];
         if (check.name == "head-on/t" || check.name.starts_with("picture")) continue;
-        // One check asks few questions, and the better of two draws of them counts.
-        EXPECT_LT(check.score, half.checks[i].score + check.max_score / 3) << check.name << ": " << check.message;
+        EXPECT_LT(check.score, half.checks[i].score + check.max_score / 5) << check.name << ": " << check.message;
     }
     EXPECT_EQ(grade(honest, true).score, half.score) << "who answers two of three questions is no cheat";
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "call.hpp"
+#include "row.hpp"
 
 namespace stability {
 namespace {
@@ -18,11 +18,6 @@ struct Condition {
 };
 
 bool null_at(const List& x, std::size_t at) { return v_at(x, at) == glm::vec3(0); }
-bool unit_at(const List& x, std::size_t at)
-{
-    const glm::dvec3 v(v_at(x, at));
-    return std::abs(glm::dot(v, v) - 1) < 1e-6;
-}
 // Thinner than the header of frames allows.
 bool in_a_plane(const List& x, std::size_t at)
 {
@@ -38,29 +33,16 @@ bool light_outside(const List& x)
     const glm::dvec3 way = glm::dvec3(v_at(x, 4)) - glm::dvec3(v_at(x, 0));
     return x[3] > 0 && glm::length(way) > 1.001 * x[3];
 }
-// The slopes for which the header announces no NaN, and tangents that are not nearly parallel.
-bool slopes_allowed(const List& x)
-{
-    const glm::dvec3 u(v_at(x, 3));
-    const glm::dvec3 v(v_at(x, 6));
-    return unit_at(x, 0) && std::abs(x[9]) <= 1e6 * glm::length(u) && std::abs(x[10]) <= 1e6 * glm::length(v) &&
-           glm::length(glm::cross(u, v)) >= 1e-3 * glm::length(u) * glm::length(v);
-}
-// The same, and the normal is not nearly in the tangents' plane.
+// Of a unit normal: the slopes for which the header announces no NaN, tangents that are not nearly parallel, and a
+// normal that is not nearly in their plane.
 bool can_be_bumped(const List& x)
 {
     const glm::dvec3 u(v_at(x, 3));
     const glm::dvec3 v(v_at(x, 6));
-    return slopes_allowed(x) &&
+    return std::abs(x[9]) <= 1e6 * glm::length(u) && std::abs(x[10]) <= 1e6 * glm::length(v) &&
            std::abs(glm::dot(glm::cross(u, v), glm::dvec3(v_at(x, 0)))) >= 1e-3 * glm::length(u) * glm::length(v);
 }
 bool exponent_allowed(const List& x) { return x[9] >= 0 && x[9] <= 1e4F; }
-void make_unit(List& x, std::size_t at)
-{
-    const glm::dvec3 v(v_at(x, at));
-    const glm::vec3 unit = null_at(x, at) ? glm::vec3(0, 0, 1) : glm::vec3(v / glm::length(v));
-    for (int i = 0; i < 3; ++i) x[at + static_cast<std::size_t>(i)] = unit[i];
-}
 void make_two_units(List& x)
 {
     make_unit(x, 0);

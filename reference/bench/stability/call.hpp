@@ -31,7 +31,6 @@ struct Call {
 
 [[nodiscard]] inline glm::vec2 u_at(Numbers x, std::size_t at) { return {x[at], x[at + 1]}; }
 [[nodiscard]] inline glm::vec3 v_at(Numbers x, std::size_t at) { return {x[at], x[at + 1], x[at + 2]}; }
-[[nodiscard]] inline glm::vec4 w_at(Numbers x, std::size_t at) { return {v_at(x, at), x[at + 3]}; }
 [[nodiscard]] inline glm::mat3 m_at(Numbers x, std::size_t at)
 {
     return {v_at(x, at), v_at(x, at + 3), v_at(x, at + 6)};

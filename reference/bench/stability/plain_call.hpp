@@ -1,77 +1,59 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <tuple>
 #include <type_traits>
-#include <utility>
 
 #include "call.hpp"
 
 namespace stability {
 
-/// How an argument of a type is made: its letter in a shape, and how many numbers it takes.
+/// The letter of an argument's type in a shape.
 template <class Argument>
-struct Made;
+inline constexpr char letter_of = '\0';
 template <>
-struct Made<float> {
-    static constexpr char letter = 'f';
-    static constexpr std::size_t size = 1;
-    static float of(Numbers x, std::size_t at) { return x[at]; }
-};
+inline constexpr char letter_of<float> = 'f';
 template <>
-struct Made<glm::vec2> {
-    static constexpr char letter = 'u';
-    static constexpr std::size_t size = 2;
-    static glm::vec2 of(Numbers x, std::size_t at) { return u_at(x, at); }
-};
+inline constexpr char letter_of<glm::vec2> = 'u';
 template <>
-struct Made<glm::vec3> {
-    static constexpr char letter = 'v';
-    static constexpr std::size_t size = 3;
-    static glm::vec3 of(Numbers x, std::size_t at) { return v_at(x, at); }
-};
+inline constexpr char letter_of<glm::vec3> = 'v';
 template <>
-struct Made<glm::vec4> {
-    static constexpr char letter = 'w';
-    static constexpr std::size_t size = 4;
-    static glm::vec4 of(Numbers x, std::size_t at) { return w_at(x, at); }
-};
+inline constexpr char letter_of<glm::vec4> = 'w';
 template <>
-struct Made<glm::mat3> {
-    static constexpr char letter = 'm';
-    static constexpr std::size_t size = 9;
-    static glm::mat3 of(Numbers x, std::size_t at) { return m_at(x, at); }
-};
+inline constexpr char letter_of<glm::mat3> = 'm';
 template <>
-struct Made<glm::mat4> {
-    static constexpr char letter = 'M';
-    static constexpr std::size_t size = 16;
-    static glm::mat4 of(Numbers x, std::size_t at) { return M_at(x, at); }
-};
+inline constexpr char letter_of<glm::mat4> = 'M';
+
+/// Takes the next argument off the question's numbers. All types here are nothing but their numbers, column by column.
+template <class Argument>
+[[nodiscard]] Argument next_argument(Numbers& left)
+{
+    static_assert(letter_of<Argument> != '\0');
+    std::array<float, sizeof(Argument) / sizeof(float)> numbers{};
+    std::ranges::copy(left.first(numbers.size()), numbers.begin());
+    left = left.subspan(numbers.size());
+    return std::bit_cast<Argument>(numbers);
+}
 
 /// A function of numbers, vectors and matrices alone: shape and answer follow from its type.
 template <auto Function>
 struct Plain;
 template <class Result, class... Arguments, Result (*Function)(Arguments...)>
 struct Plain<Function> {
-    static constexpr std::array<char, sizeof...(Arguments) + 1> shape{Made<std::remove_cvref_t<Arguments>>::letter...,
+    static constexpr std::array<char, sizeof...(Arguments) + 1> shape{letter_of<std::remove_cvref_t<Arguments>>...,
                                                                       '\0'};
-    static Answer answer(Numbers x) { return answer(x, std::index_sequence_for<Arguments...>()); }
-
-private:
-    static constexpr std::array<std::size_t, sizeof...(Arguments)> sizes{Made<std::remove_cvref_t<Arguments>>::size...};
-    static constexpr std::size_t start_of(std::size_t argument)
+    static Answer answer(Numbers left)
     {
-        std::size_t start = 0;
-        for (std::size_t i = 0; i < argument; ++i) start += sizes[i];
-        return start;
-    }
-    template <std::size_t... Each>
-    static Answer answer(Numbers x, std::index_sequence<Each...> /*arguments*/)
-    {
-        return numbers(Function(Made<std::remove_cvref_t<Arguments>>::of(x, start_of(Each))...));
+        // What stands in braces is computed from left to right.
+        const std::tuple<std::remove_cvref_t<Arguments>...> arguments{
+            next_argument<std::remove_cvref_t<Arguments>>(left)...};
+        return numbers(std::apply(Function, arguments));
     }
 };
 
+/// Such a function under its name, as a Call has it.
 template <auto Function>
 [[nodiscard]] Call call(const char* name)
 {

@@ -19,11 +19,7 @@ using namespace lighting;
 std::vector<Call> lighting_calls()
 {
     return {
-        {"lighting::half_vector", "vv",
-         [](Numbers x) {
-             const auto half = half_vector(v_at(x, 0), v_at(x, 3));
-             return half ? numbers(*half) : Answer{};
-         }},
+        call<half_vector>("lighting::half_vector"),
         call<blinn_highlight>("lighting::blinn_highlight"),
         call<phong_highlight>("lighting::phong_highlight"),
         call<lighting::mirrored_direction>("lighting::mirrored_direction"),

@@ -1,4 +1,5 @@
 #include <umbral/interaction/camera_animation.hpp>
+#include <umbral/interaction/keyframes.hpp>
 #include <umbral/projections/curved.hpp>
 #include <umbral/projections/frustum.hpp>
 #include <umbral/projections/oblique.hpp>
@@ -8,7 +9,6 @@
 #include <umbral/projections/view.hpp>
 #include <umbral/projections/view_frame.hpp>
 
-#include <umbral/interaction/keyframes.hpp>
 #include "../calls.hpp"
 #include "../plain_call.hpp"
 

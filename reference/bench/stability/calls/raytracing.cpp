@@ -1,12 +1,12 @@
 #include <umbral/raytracing/cylinder_cone.hpp>
 #include <umbral/raytracing/disc.hpp>
 #include <umbral/raytracing/intersect.hpp>
-#include <umbral/raytracing/reflect_refract.hpp>
-#include <umbral/raytracing/triangle.hpp>
-
 #include <umbral/raytracing/path_tracing.hpp>
+#include <umbral/raytracing/reflect_refract.hpp>
 #include <umbral/raytracing/shadow_polygons.hpp>
 #include <umbral/raytracing/sphere_tracing.hpp>
+#include <umbral/raytracing/triangle.hpp>
+
 #include "../calls.hpp"
 #include "../plain_call.hpp"
 

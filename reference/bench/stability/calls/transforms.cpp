@@ -1,15 +1,15 @@
 #include <umbral/meshes/area.hpp>
 #include <umbral/transforms/about_a_point.hpp>
 #include <umbral/transforms/affinity.hpp>
+#include <umbral/transforms/basic_matrices.hpp>
 #include <umbral/transforms/frames.hpp>
 #include <umbral/transforms/gram_matrix.hpp>
+#include <umbral/transforms/hook.hpp>
 #include <umbral/transforms/normal_matrix.hpp>
+#include <umbral/transforms/perpendicular.hpp>
 #include <umbral/transforms/rotation.hpp>
 #include <umbral/transforms/vectors.hpp>
 
-#include <umbral/transforms/basic_matrices.hpp>
-#include <umbral/transforms/hook.hpp>
-#include <umbral/transforms/perpendicular.hpp>
 #include "../calls.hpp"
 #include "../plain_call.hpp"
 
