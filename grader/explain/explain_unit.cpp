@@ -5,6 +5,7 @@
 #include <list>
 #include <tuple>
 
+#include "explain/by_function.hpp"
 #include "explain/explained_checks.hpp"
 #include "explain/other_questions.hpp"
 #include "explain/two_mistakes.hpp"
@@ -99,6 +100,8 @@ std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, 
     // A known mistake that explains all has a hint written for the unit: what is tried for all units can say no more.
     if (!explained())
         for (Explanation& other : explain_by_transform(ran)) all.push_back(std::move(other));
+    if (!explained())
+        for (Explanation& other : by_function(worker, exercise, groups)) all.push_back(std::move(other));
     // Where nothing else explains all, and once, of what students may know.
     if (!explained() && std::ranges::none_of(groups, [](const CaseChecks& group) { return group.result->hidden; }))
         for (Explanation& other : by_other_questions(worker, exercise, groups)) all.push_back(std::move(other));

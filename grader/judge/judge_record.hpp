@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -93,6 +94,9 @@ struct JudgeRecord {
     /// What is borderline (Judgement::borderline) is run again with a fresh seed, and both runs decide. Null: nothing
     /// is.
     Judgement (*judge_both)(const Judgement& first, const Judgement& second) = nullptr;
+    /// Of right work's metrics: which parameter of the check leaves it too little room, in a sentence; empty if none
+    /// does. Null: none can.
+    std::string (*too_narrow)(const Check& check, const std::map<std::string, double>& metrics) = nullptr;
 
     // Explaining.
     /// resemblance() of a failing check, where both results can be judged.

@@ -61,6 +61,7 @@ json check(const CheckResult& value, Detail detail)
                 {"message", text(value.message)},
                 {"metrics", object(value.metrics, [](double metric) { return number(metric); })},
                 {"first_difference", difference(value.first_difference)}};
+    if (value.unjudged != Unjudged::no) result["unjudged"] = to_string(value.unjudged);
     if (value.simplest) result["simplest"] = difference(value.simplest);
     if (!value.common.empty()) result["common"] = text(value.common);
     if (!value.headline.empty()) result["headline"] = text(value.headline);

@@ -9,6 +9,7 @@
 
 #include "model/curve.hpp"
 #include "model/exercise.hpp"
+#include "model/unjudged.hpp"
 #include "model/verdict.hpp"
 
 namespace umbral::grader {
@@ -29,6 +30,7 @@ struct CheckResult {
     JudgeKind kind;
     bool hard = false;
     bool hidden = false;
+    Unjudged unjudged = Unjudged::no;
     Millipoints score = 0;
     Millipoints max_score = 0;
     std::optional<double> error;            ///< the worst, in the unit of its tolerance; empty if not finite

@@ -44,12 +44,14 @@ JudgeKind kind(const Field& field)
     return {std::move(name)};
 }
 
-Verdict verdict(const Field& field)
+/// What a text names; refused where it names nothing of that kind.
+template <class Read>
+auto named(const Field& field, Read&& read, const std::string& expected)
 {
     try {
-        return verdict_from(field.text(32));
+        return read(field.text(32));
     } catch (const std::invalid_argument&) {
-        field.refuse("the name of a verdict");
+        field.refuse(expected);
     }
 }
 
@@ -66,13 +68,16 @@ std::optional<Difference> difference(const Field& field)
 
 CheckResult check(const Field& field)
 {
-    field.allow_only({"name", "kind", "hard", "hidden", "score", "max_score", "error", "reference_error", "message",
-                      "metrics", "first_difference", "common", "simplest", "headline", "sketch", "artefacts", "seeds"});
+    field.allow_only({"name", "kind", "hard", "hidden", "unjudged", "score", "max_score", "error", "reference_error",
+                      "message", "metrics", "first_difference", "common", "simplest", "headline", "sketch", "artefacts",
+                      "seeds"});
     CheckResult result;
     result.name = text(field.member("name"));
     result.kind = kind(field.member("kind"));
     result.hard = field.member("hard").boolean();
     result.hidden = field.member("hidden").boolean();
+    if (const Field kept = field.member("unjudged"); kept.given())
+        result.unjudged = named(kept, unjudged_from, "what kept a check from being judged");
     result.score = points(field.member("score"));
     result.max_score = points(field.member("max_score"));
     result.error = number_if_any(field.member("error"));
@@ -120,7 +125,7 @@ UnitResult unit_result_from_json(const nlohmann::json& json, const std::string& 
     UnitResult result;
     result.id = text(field.member("id"));
     result.digest = text(field.member("digest"));
-    result.verdict = verdict(field.member("verdict"));
+    result.verdict = named(field.member("verdict"), verdict_from, "the name of a verdict");
     result.score = points(field.member("score"));
     result.max_score = points(field.member("max_score"));
     result.seconds = number_or_nan(field.member("seconds"));

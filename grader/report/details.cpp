@@ -22,10 +22,10 @@ bool fails(const CheckResult& check) { return check.score < check.max_score; }
 
 std::string check_words(const CheckResult& check)
 {
-    const std::string_view verdict = !fails(check)         ? "right"
-                                     : check.score > 0     ? "partly right"
-                                     : is_unwritten(check) ? in_words(Verdict::not_implemented)
-                                                           : "wrong";
+    const std::string_view verdict = !fails(check)                    ? "right"
+                                     : check.unjudged != Unjudged::no ? in_words(check.unjudged)
+                                     : check.score > 0                ? "partly right"
+                                                                      : "wrong";
     return fmt::format("{}, {} of {} points", verdict, points_text(check.score), points_text(check.max_score));
 }
 

@@ -15,6 +15,7 @@ SubmissionResult without_hidden_values(SubmissionResult submission)
                          .kind = check.kind,
                          .hard = check.hard,
                          .hidden = true,
+                         .unjudged = check.unjudged,
                          .score = check.score,
                          .max_score = check.max_score,
                          .error = {},

@@ -21,6 +21,7 @@
 #include "unit/other_inputs.hpp"
 #include "unit/pictures.hpp"
 #include "unit/rerun.hpp"
+#include "unit/troubles.hpp"
 #include "worker/case_results.hpp"
 #include "worker/student_case.hpp"
 #include "worker/weigh_cost.hpp"
@@ -82,30 +83,6 @@ Verdict verdict_of(const UnitResult& result, const CaseResults& cases)
         if (stopped != cases.end()) return stopped->second.student.verdict;
     }
     return Verdict::wrong;
-}
-
-/// What kept a case from being judged, or what was refused on the way, as the student may read it. Whatever a hidden
-/// case's run said or chose may hold its inputs: of it only the kind of trouble is told.
-std::string told_trouble(const CaseResult& one)
-{
-    const bool refused = !one.student.refused.empty();
-    if (one.hidden && one.reached && one.student.verdict != Verdict::ok)
-        return std::string(in_words(one.student.verdict));
-    if (one.is_stub()) return "a function that is asked there is not written yet";
-    if (std::string trouble = one.trouble(); !trouble.empty()) return trouble;
-    if (!refused) return "";
-    return one.hidden ? "the sandbox refused calls" : "the sandbox refused " + listed(one.student.refused);
-}
-
-/// One line a kind of trouble: which cases it stopped, and what it was.
-std::string troubles(const CaseResults& cases)
-{
-    std::map<std::string, std::vector<std::string>> by_text;
-    for (const auto& [name, one] : cases)
-        if (std::string trouble = told_trouble(one); !trouble.empty()) by_text[std::move(trouble)].push_back(name);
-    std::string lines;
-    for (const auto& [text, names] : by_text) lines += fmt::format("{}: {}\n", fmt::join(names, ", "), text);
-    return printable(lines, caps::message);
 }
 
 std::string printed_text(const Exercise& exercise, const CaseResults& cases)

@@ -66,6 +66,12 @@ Finding expect_all(Worker& worker, const Exercise& exercise, const std::string& 
     Finding finding{exercise.id, subject, seed, result.verdict == Verdict::ok, percent(result), "100", ""};
     finding.hard_share = hard_share(result);
     if (!finding.holds) finding.message = complaint(result);
+    for (std::size_t i = 0; finding.holds && i < exercise.checks.size(); ++i) {
+        const Check& check = exercise.checks[i];
+        if (judge_of(check).too_narrow != nullptr)
+            finding.message = judge_of(check).too_narrow(check, result.checks[i].metrics);
+        finding.holds = finding.message.empty();
+    }
     return finding;
 }
 

@@ -71,6 +71,13 @@ void add_refusal(const Check& check, const RunOutcome& student, CheckResult& res
         if (!text->empty()) *text += fmt::format("; at {} yours refused: {}", result.first_difference->where, why);
 }
 
+Unjudged unjudged_in(const CaseResult& one)
+{
+    if (!one.reached) return Unjudged::not_run;
+    if (one.is_stub()) return Unjudged::unwritten;
+    return one.student.verdict == Verdict::ok ? Unjudged::no : Unjudged::stopped;
+}
+
 bool ran_into_the_limit(const CaseResult& one) { return one.reached && one.student.verdict == Verdict::timeout; }
 
 }
@@ -91,7 +98,7 @@ CaseResult not_reached(std::uint64_t seed, bool hidden)
     return one;
 }
 
-std::string CaseResult::trouble() const
+std::string CaseResult::cause() const
 {
     if (!reached)
         return fmt::format(
@@ -102,8 +109,15 @@ std::string CaseResult::trouble() const
     if (student.verdict == Verdict::ok) return "";
     std::string text = fmt::format("{}: {}", in_words(student.verdict), student.message);
     if (!place.empty()) text += " at " + one_line(place);
-    if (!asked.empty()) text += "; asked " + one_line(asked, caps::question);
     return text;
+}
+
+std::string CaseResult::question_of_end() const { return asked.empty() ? "" : one_line(asked, caps::question); }
+
+std::string CaseResult::trouble() const
+{
+    const std::string question = question_of_end();
+    return cause() + (question.empty() ? "" : "; asked " + question);
 }
 
 std::vector<std::string> values_of(const Check& check)
@@ -175,9 +189,10 @@ CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutc
     result.message = kept_from_judging(check, one, expected_run);
     if (!result.message.empty()) {
         const auto answers = answers_past_crashes(check, one, *expected);
-        const bool nothing_written = one.is_stub() && answers && answers->lost.size() == expected->rows;
-        if (answers && !nothing_written)
+        const bool answered = answers && answers->lost.size() < expected->rows;
+        if (answers && (answered || !one.is_stub()))
             judge_answers(check, *answers, {expected, margin, names}, basis.control, result);
+        if (!answered) result.unjudged = unjudged_in(one);
         return result;
     }
     const Judgement judgement = check.relation

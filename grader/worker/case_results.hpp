@@ -30,6 +30,10 @@ struct CaseResult {
         return student.verdict == Verdict::ok && student.recording.not_implemented > 0;
     }
     /// What kept the case from being judged, in words; empty if nothing did.
+    [[nodiscard]] std::string cause() const;
+    /// The question in which the run ended, in a line; empty if it is not known.
+    [[nodiscard]] std::string question_of_end() const;
+    /// Both.
     [[nodiscard]] std::string trouble() const;
 };
 using CaseResults = std::map<std::string, CaseResult>;

@@ -37,6 +37,17 @@ TEST_F(PastCrashes, are_told_with_the_question_that_led_to_them)
     EXPECT_NE(result.message.find("; asked intersect(Ray{"), std::string::npos) << result.message;
 }
 
+// One cause is told once, with all cases that it stopped and the shortest question in which it did.
+TEST_F(PastCrashes, of_several_cases_are_told_together)
+{
+    const UnitResult result = grade("ray.t_min == 4 || ray.origin == sphere.centre", "throw 1;");
+    std::size_t told = 0;
+    for (std::size_t at = 0; (at = result.message.find("uncaught exception", at)) != std::string::npos; ++at) ++told;
+    EXPECT_EQ(told, 1U) << result.message;
+    EXPECT_NE(result.message.find("ends, inside"), std::string::npos) << result.message;
+    EXPECT_NE(result.message.find(" (in inside)"), std::string::npos) << result.message;
+}
+
 TEST_F(PastCrashes, exceptions_are_no_different)
 {
     const UnitResult result = grade(seldom, "throw 1;");
@@ -65,11 +76,25 @@ TEST_F(PastCrashes, an_endless_loop_costs_what_comes_after_it)
     EXPECT_LT(ends.score, ends.max_score);
 }
 
+// Two cases that hang are enough: what was not run is not called wrong, and stands behind what was.
+TEST_F(PastCrashes, cases_that_were_not_run_are_told_from_those_that_were)
+{
+    exercise.limits.wall_seconds = 1;
+    const UnitResult result = grade("true", "for (volatile int i = 0; i == 0;) {}");
+    const auto with = [&](Unjudged unjudged) {
+        return std::ranges::count(result.checks, unjudged, &CheckResult::unjudged);
+    };
+    EXPECT_GT(with(Unjudged::stopped), 0);
+    EXPECT_GT(with(Unjudged::not_run), 0);
+    EXPECT_EQ(with(Unjudged::stopped) + with(Unjudged::not_run), static_cast<std::ptrdiff_t>(result.checks.size()));
+}
+
 TEST_F(PastCrashes, code_that_always_crashes_gets_nothing)
 {
     const UnitResult result = grade("true", null_write);
     EXPECT_EQ(result.score, 0);
     EXPECT_EQ(result.verdict, Verdict::crashed);
+    for (const CheckResult& one : result.checks) EXPECT_EQ(one.unjudged, Unjudged::stopped) << one.name;
 }
 
 class PastCrashesOfOneFunction : public SpoiltReference {

@@ -46,6 +46,7 @@ TEST_F(UnwrittenFunction, leaves_pictures_unjudged)
     const CheckResult& picture = check(result, "picture/shadows");
     EXPECT_EQ(picture.score, 0);
     EXPECT_EQ(picture.message, "not implemented yet");
+    EXPECT_EQ(picture.unjudged, Unjudged::unwritten);
 }
 
 // Empty answers may be the right ones now and then.

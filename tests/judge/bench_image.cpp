@@ -8,7 +8,7 @@
 #include "judge/picture/image_metrics.hpp"
 #include "judge/picture/image_rule.hpp"
 #include "judge/rules.hpp"
-#include "noisy.hpp"
+#include "noise_runs.hpp"
 
 namespace {
 
@@ -67,7 +67,7 @@ int main(int count, char** words)
     const auto light = [](int x, int y) { return test::floor_and_ball(x / 8, y / 8); };
     const umbral::Tensor expected = test::noisy(random, 512, 512, 3, 1, light);
     const umbral::Tensor student = test::noisy(random, 512, 512, 3, 1, light);
-    const Check noise = test::check_of(JudgeKind{"noise"});
+    const Check noise = test::noise_check();
     report("  judge, floats", [&] { (void)judge(noise, student, expected, nullptr); });
     const umbral::Tensor expected_bytes = test::as_bytes(expected);
     const umbral::Tensor student_bytes = test::as_bytes(student);

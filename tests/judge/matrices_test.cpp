@@ -23,6 +23,29 @@ TEST(Matrices, the_first_difference_is_an_entry_by_row_and_column)
     EXPECT_EQ(found.error, 5);
 }
 
+// A cosine of 90 degrees in double is 6e-17: beside a 1 that is no number to wonder about.
+TEST(Matrices, what_rounding_left_of_0_is_shown_as_0)
+{
+    std::vector<double> expected(16, 0.0);
+    for (const std::size_t i : {1U, 4U, 10U, 15U}) expected[i] = 1;
+    expected[0] = expected[5] = 6.123e-17;
+    std::vector<double> yours = expected;
+    yours[4] = -1;
+    const Judgement found =
+        judge(check_of(JudgeKind{"matrices"}, absolute(1e-6)), doubles(yours, 16), doubles(expected, 16), nullptr);
+    ASSERT_TRUE(found.first_difference);
+    EXPECT_EQ(found.first_difference->expected, "1 in [0 1 0 0; 1 0 0 0; 0 0 1 0; 0 0 0 1]");
+    // Unless that is the difference.
+    expected = std::vector<double>(16, 1.0);
+    expected[0] = 0;
+    yours = expected;
+    yours[0] = 3e-10;
+    EXPECT_EQ(
+        judge(check_of(JudgeKind{"matrices"}, absolute(1e-12)), doubles(yours, 16), doubles(expected, 16), nullptr)
+            .first_difference->yours.substr(0, 8),
+        "3e-10 in");
+}
+
 TEST(Matrices, a_huge_translation_does_not_excuse_the_rotation)
 {
     std::vector<float> expected = identity();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "judge/noise/rule.hpp"
 #include "noisy.hpp"
 
 /// What a correct path tracer, or one that is a factor off, records.
@@ -7,7 +8,14 @@ namespace umbral::grader::test {
 
 inline constexpr std::uint64_t seed = 20260401;
 
-inline const Check check = check_of(JudgeKind{"noise"});
+inline Check noise_check(double scatter = 30)
+{
+    Check check = check_of(JudgeKind{"noise"});
+    check.own = NoiseParameters{scatter};
+    return check;
+}
+
+inline const Check check = noise_check();
 
 /// floor_and_ball times a factor, 32 samples a pixel of a smooth integrand, in colour.
 inline Tensor run(Random& random, double factor = 1)

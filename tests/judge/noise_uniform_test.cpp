@@ -7,7 +7,7 @@
 
 #include "judge/noise/noise.hpp"
 #include "judge/statistics/error_budget.hpp"
-#include "noisy.hpp"
+#include "noise_runs.hpp"
 #include "support/all_tests.hpp"
 
 // That p-values of correct work are uniform where that is claimed, and never too small anywhere: this bounds the rate
@@ -185,7 +185,7 @@ TEST(NoiseUniform, probabilities_of_pictures_are_never_too_small)
     const int pairs = samples_for_tests(4000);
     std::printf("seed %llu, %d pairs of pictures each: P(probability <= x) / x\n",
                 static_cast<unsigned long long>(seed + 3), pairs);
-    Check check = check_of(JudgeKind{"noise"});
+    Check check = noise_check();
     for (const int samples : {1, 4, 16}) {
         std::vector<double> of_floats;
         std::vector<double> of_bytes;
@@ -215,7 +215,7 @@ TEST(NoiseUniform, three_percent_are_found)
         "seed %llu: 3 %% too bright everywhere, 64 x 64 pixels in grey, noise of one mean a sample; wrong at the level "
         "of one check of %g\n",
         static_cast<unsigned long long>(seed + 4), check_alpha());
-    Check check = check_of(JudgeKind{"noise"});
+    Check check = noise_check();
     const auto flat = [](int, int) { return 0.2; };
     const auto bright = [](int, int) { return 0.206; };
     for (const int samples : {4, 16, 64}) {

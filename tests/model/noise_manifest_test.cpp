@@ -23,7 +23,7 @@ json with_checks(const json& checks)
     return manifest;
 }
 
-json noise() { return {{"case", "sky"}, {"value", "light"}, {"judge", "noise"}, {"points", 2}}; }
+json noise() { return {{"case", "sky"}, {"value", "light"}, {"judge", "noise"}, {"scatter", 3}, {"points", 2}}; }
 
 std::string complaint_about(const json& check)
 {

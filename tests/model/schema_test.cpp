@@ -108,6 +108,22 @@ TEST(ResultSchemas, hold_a_sketch_where_there_is_one)
     EXPECT_NE(Schema("report").complaints(wrong), "");
 }
 
+TEST(ResultSchemas, hold_what_kept_a_check_from_being_judged)
+{
+    SubmissionResult result = test::submission();
+    EXPECT_FALSE(to_json(result, test::fingerprint())["submission"]["units"][0]["checks"][0].contains("unjudged"));
+    for (const Unjudged unjudged : {Unjudged::unwritten, Unjudged::stopped, Unjudged::not_run}) {
+        result.units[0].checks[0].unjudged = unjudged;
+        EXPECT_EQ(Schema("report").complaints(to_json(result, test::fingerprint())), "");
+        EXPECT_EQ(Schema("class").complaints(to_json(ClassResult{test::fingerprint(), {result}})), "");
+        EXPECT_EQ(unjudged_from(to_string(unjudged)), unjudged);
+    }
+    EXPECT_THROW((void)unjudged_from(""), std::invalid_argument);
+    json wrong = to_json(result, test::fingerprint());
+    wrong["submission"]["units"][0]["checks"][0]["unjudged"] = "";
+    EXPECT_NE(Schema("report").complaints(wrong), "");
+}
+
 TEST(ResultSchemas, hold_seeds_where_noise_was_judged)
 {
     SubmissionResult result = test::submission();

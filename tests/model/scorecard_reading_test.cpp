@@ -24,6 +24,7 @@ UnitResult everything()
     unit.explanations[0].ambiguous = true;
     CheckResult& check = unit.checks[0];
     check.sketch = "#-\n-#\n";
+    check.unjudged = Unjudged::not_run;
     check.seeds = {0, std::numeric_limits<std::uint64_t>::max()};
     check.message = " spaces at its ends ";
     check.error = 0.1 + 0.2;
@@ -57,6 +58,7 @@ TEST(UnitResultFromJson, gives_back_every_field)
     EXPECT_EQ(read.rubric[0].max_score, 1500);
     EXPECT_EQ(read.checks[0].seeds, everything().checks[0].seeds);
     EXPECT_EQ(read.checks[0].sketch, everything().checks[0].sketch);
+    EXPECT_EQ(read.checks[0].unjudged, Unjudged::not_run);
     EXPECT_EQ(read.checks[0].error, everything().checks[0].error);
     EXPECT_EQ(read.checks[1].artefacts, everything().checks[1].artefacts);
     EXPECT_EQ(read.checks[1].kind, JudgeKind{"image"});
@@ -107,7 +109,7 @@ TEST(UnitResultFromJson, refuses_whatever_to_json_does_not_write)
     const json whole = to_json(everything());
     std::vector<json::json_pointer> values;
     find_values(whole, json::json_pointer(), values);
-    const std::vector<std::string> optional{"sketch", "seeds", "ambiguous", "unscored", "rubric", "curve"};
+    const std::vector<std::string> optional{"sketch", "seeds", "ambiguous", "unscored", "unjudged", "rubric", "curve"};
     int refused = 0;
     for (const json::json_pointer& place : values) {
         json other = whole;

@@ -156,6 +156,20 @@ TEST(Terminal, the_first_failing_check_is_the_most_exact_one_and_not_the_manifes
     EXPECT_EQ(first(), "colours/image");
 }
 
+TEST(Terminal, what_was_not_judged_is_not_called_wrong_and_waits_for_what_was)
+{
+    UnitResult unit =
+        unit_result("a/b", Verdict::wrong, {check_result("dot/x", 0, 1000), check_result("dot/y", 0, 1000)});
+    const auto report = [&] { return terminal_report(submission_result("ana", {unit}), {.width = 160}); };
+    EXPECT_TRUE(has(report(), "check     dot/x  wrong, 0 of 1 points"));
+    unit.checks[0].unjudged = Unjudged::not_run;
+    EXPECT_TRUE(has(report(), "check     dot/y  wrong, 0 of 1 points"));
+    unit.checks[1].unjudged = Unjudged::stopped;
+    EXPECT_TRUE(has(report(), "check     dot/y  no result, 0 of 1 points"));
+    unit.checks[1].unjudged = Unjudged::unwritten;
+    EXPECT_TRUE(has(report(), "check     dot/x  not run, 0 of 1 points"));
+}
+
 TEST(Terminal, colour_adds_nothing_but_colour)
 {
     const SubmissionResult submission = submission_result("ana", {transposed()});

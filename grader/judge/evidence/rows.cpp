@@ -45,7 +45,8 @@ public:
         const bool both = yours_.present(row) && expected_.present(row);
         for (std::size_t i = 0; both && i < expected_.components(); ++i) {
             const auto [mine, right] = telling_apart([&](int digits) {
-                return std::pair(number_text(yours_.cell(row)[i], digits), number_text(expected_.cell(row)[i], digits));
+                return std::pair(kind_.show_number(yours_.cell(row), i, digits),
+                                 kind_.show_number(expected_.cell(row), i, digits));
             });
             pair.yours.push_back(mine);
             pair.expected.push_back(right);

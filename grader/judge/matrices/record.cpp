@@ -33,20 +33,31 @@ std::string entry_text(std::size_t matrix, std::size_t components, std::size_t i
     return "matrix " + std::to_string(matrix) + ", entry " + matrix_entry(components, index);
 }
 
+// What is next to nothing beside its column is what rounding left of 0 (a cosine of 90 degrees), unless more digits
+// must tell two values apart.
+std::string entry_number(std::span<const double> matrix, std::size_t index, int digits)
+{
+    constexpr double nothing = 1e-9;
+    const std::size_t side = side_of(matrix.size());
+    const double column = largest_of(matrix.subspan(index / side * side, side));
+    const bool shows_nothing = digits <= usual_digits && std::abs(matrix[index]) < nothing * column;
+    return shows_nothing ? "0" : number_text(matrix[index], digits);
+}
+
 // The entry, then the whole matrix by rows: "5 in [1 0 0 5; 0 1 0 0; 0 0 1 0; 0 0 0 1]".
 std::string matrix_text(const TensorView& view, std::size_t row, std::size_t index, int digits)
 {
     if (!view.present(row)) return "nothing";
     const auto entries = view.cell(row);
     const std::size_t side = side_of(entries.size());
-    std::string text = number_text(entries[index], digits) + " in [";
+    std::string text = entry_number(entries, index, digits) + " in [";
     for (std::size_t i = 0; i < side; ++i)
         for (std::size_t j = 0; j < side; ++j)
-            text += (j > 0 ? " " : i > 0 ? "; " : "") + number_text(entries[j * side + i], digits);
+            text += (j > 0 ? " " : i > 0 ? "; " : "") + entry_number(entries, j * side + i, digits);
     return text + "]";
 }
 
-constexpr RowKind matrices{"matrix", "matrices", column_scale, entry_text, matrix_text};
+constexpr RowKind matrices{"matrix", "matrices", column_scale, entry_text, matrix_text, entry_number};
 
 }
 

@@ -10,6 +10,7 @@
 #include "judge/events/events.hpp"
 #include "judge/explain/thresholds.hpp"
 #include "judge/noise/rule.hpp"
+#include "judge/parameters.hpp"
 #include "judge/picture/picture.hpp"
 #include "judge/rows/tensor_view.hpp"
 #include "judge/statistics/stochastic.hpp"
@@ -99,8 +100,11 @@ Judgement judge_noise(const Check& check, const Tensor& student, const Tensor& e
     const Estimates yours = estimates_of(check, student);
     StochasticRule rule = apply_stochastic_rule(yours, target, forgiven_by(check, expected));
     rule.agree = rule.probability >= check_alpha();
-    // What scatters apart by a bias shows it: at least a third of the light then lies in the wrong place.
-    if (rule.misplaced < 1.0 / 3 && (scatters_apart(yours, target) || lacks_power(yours, target)))
+    // What scatters apart by a bias shows it: at least a third of the light then lies in the wrong place, beyond noise.
+    const double scatter = hiding_scatter(yours, target);
+    const bool proves_nothing = scatter > parameters_of<NoiseParameters>(check).scatter ||
+                                cancels_itself(yours, target) || scatters_apart(yours, target);
+    if (proves_nothing && (rule.agree || rule.misplaced < 1.0 / 3))
         return wrong(
             "The estimates scatter far more than the reference's, so that their mean proves nothing: take as many "
             "samples as you are told, choose "
@@ -113,6 +117,7 @@ Judgement judge_noise(const Check& check, const Tensor& student, const Tensor& e
     result.metrics = {{"probability", rule.probability},
                       {"misplaced_percent", 100 * rule.misplaced},
                       {"worst_deviation", rule.worst_z},
+                      {"scatter", scatter},
                       {"tests", static_cast<double>(rule.tests)}};
     result.chance = rule.probability;
     result.borderline = after_first_run(rule.probability) == FirstRun::borderline;

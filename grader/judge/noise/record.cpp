@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <umbral/core/random.hpp>
 
@@ -8,16 +11,37 @@
 #include "judge/judge_record.hpp"
 #include "judge/noise/noise.hpp"
 #include "judge/noise/rule.hpp"
+#include "judge/parameters.hpp"
 #include "judge/statistics/error_budget.hpp"
 #include "text/field.hpp"
 
 namespace umbral::grader {
 namespace {
 
-void read_bias(const Field& check, Check& to)
+constexpr OwnField fields_of_noise[] = {{"scatter", R"({
+  "description": "Noise: how many times as widely as the reference's estimates may scatter, in standard deviations, where that hides a bias of a tenth. At least twice what right estimators of other kinds need.",
+  "type": "number",
+  "minimum": 1,
+  "maximum": 1000
+})"}};
+
+void read_noise(const Field& check, Check& to)
 {
+    to.own = NoiseParameters{check.member("scatter").number(1, 1000)};
     if (to.tolerance.ulps || to.tolerance.band_ulps)
         check.member("tolerance").refuse("absolute or relative only, as the bias that \"noise\" forgives");
+}
+
+// Right estimators of other kinds, tried here with some seeds, speak for all that students find.
+std::string too_narrow(const Check& check, const std::map<std::string, double>& metrics)
+{
+    const auto found = metrics.find("scatter");
+    const double allowed = parameters_of<NoiseParameters>(check).scatter;
+    if (found == metrics.end() || 2 * found->second <= allowed) return "";
+    return fmt::format(
+        "check '{}': these estimates scatter {:.3g} times as widely as the reference's, and \"scatter\" "
+        "is {:g}: make it {:.2g} or more, twice what right work needs",
+        check.name, found->second, allowed, std::ceil(2 * found->second));
 }
 
 // What knows the scale of the estimates only. The mean of one quantity is its answer: of a single one, nothing is left
@@ -79,7 +103,8 @@ constinit const JudgeRecord noise_judge{
     .name = "noise",
     .place = 3,
     .compares = "the means of Monte Carlo estimates",
-    .read_own = read_bias,
+    .own_fields = fields_of_noise,
+    .read_own = read_noise,
     .schema_of_check = R"({"properties": {"tolerance": {"properties": {"ulps": false, "band_ulps": false}}}})",
     .most_in_course = most_noise_checks,
     .look = Look::light,
@@ -87,6 +112,7 @@ constinit const JudgeRecord noise_judge{
     .judge = [](const Question& q) { return judge_noise(q.check, q.student, q.expected, q.names); },
     .controls = noise_controls,
     .judge_both = judge_both,
+    .too_narrow = too_narrow,
     .resemblance = same_picture,
     .difference_map = noise_map,
     .evidence = picture_evidence,

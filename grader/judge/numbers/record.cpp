@@ -19,9 +19,12 @@ Scale component_scale(std::span<const double> expected, std::size_t index)
 }
 
 constexpr RowKind numbers{
-    "row", "rows", component_scale,
+    "row",
+    "rows",
+    component_scale,
     [](std::size_t row, std::size_t, std::size_t) { return "row " + std::to_string(row); },
-    [](const TensorView& view, std::size_t row, std::size_t, int digits) { return cell_text(view, row, digits); }};
+    [](const TensorView& view, std::size_t row, std::size_t, int digits) { return cell_text(view, row, digits); },
+    [](std::span<const double> row, std::size_t index, int digits) { return number_text(row[index], digits); }};
 
 }
 

@@ -108,8 +108,8 @@ Difference row_difference(const RowPairs& pairs, std::size_t row)
     Difference result{kind.where(row, components, first) + (names.empty() ? "" : ", " + names), "", "", row};
     const bool alone = !names.empty() && components > most_shown_whole;
     std::tie(result.yours, result.expected) = telling_apart([&](int digits) {
-        return alone ? std::pair(number_text(student.cell(row)[first], digits),
-                                 number_text(expected.cell(row)[first], digits))
+        return alone ? std::pair(kind.show_number(student.cell(row), first, digits),
+                                 kind.show_number(expected.cell(row), first, digits))
                      : std::pair(kind.show(student, row, first, digits), kind.show(expected, row, first, digits));
     });
     return result;

@@ -19,6 +19,8 @@ struct RowKind {
     /// Where component `index` of a row is, and how the row is shown.
     std::string (*where)(std::size_t row, std::size_t components, std::size_t index);
     std::string (*show)(const TensorView& view, std::size_t row, std::size_t index, int digits);
+    /// How one number of a row is shown.
+    std::string (*show_number)(std::span<const double> row, std::size_t index, int digits);
 };
 
 /// Two tables that are compared row by row. `columns` are names of the rows' numbers (columns.hpp), or nothing.

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "judge/statistics/stochastic.hpp"
 
@@ -11,8 +12,10 @@ namespace {
 /// Estimates of 0 lie so many standard deviations off where means prove something. Right work by another estimator
 /// (directions over the whole hemisphere, a small lamp) has 2.3 and more.
 constexpr double least_power = 1;
-/// … and scatters up to 20 times as widely as the reference, in standard deviations.
-constexpr double most_scatter = 30;
+/// A bias of this share of the light, or less, that is told from noise of so many standard deviations: whoever's work
+/// shows that may scatter as it likes.
+constexpr double told_bias = 0.1;
+constexpr double told_deviations = 5;
 /// Rare estimates that are far too bright may spoil this share of the tiles.
 constexpr double most_spoiled = 1.0 / 8;
 /// Of light that is nowhere negative, estimates by differences (control variates) may take this share of it away again.
@@ -43,31 +46,34 @@ double noise_variance(const Estimates& estimates, int channel, const TilePlace& 
     return std::isfinite(least) ? least : 0;
 }
 
-/// Of a tile: what its estimates can prove.
-enum class Power { none_expected, enough, spoiled };
-
-Power power_of(const TileSums& sums, double yours_variance, double expected_variance)
+/// How many times as widely as the expected estimates yours scatter in a tile; 0 where that hides nothing, and nothing
+/// where the expected ones prove nothing themselves.
+std::optional<double> hiding_scatter(const TileSums& sums, double yours_variance, double expected_variance)
 {
     const double of_expected = sums.expected / std::sqrt(2 * sums.count * expected_variance);
-    if (!(sums.expected > 0) || of_expected < least_power) return Power::none_expected;
-    const bool scatters = std::sqrt(yours_variance) > most_scatter * std::sqrt(expected_variance);
-    return scatters && sums.expected < least_power * std::sqrt(sums.squares) ? Power::spoiled : Power::enough;
+    if (!(sums.expected > 0) || of_expected < least_power) return std::nullopt;
+    const double deviation = std::sqrt(sums.count * (yours_variance + expected_variance));
+    if (told_deviations * deviation <= told_bias * sums.expected) return 0;
+    return std::sqrt(yours_variance / expected_variance);
 }
 
-/// Nothing if the expected estimates prove nothing in tiles of this size.
-std::optional<bool> lacks_power(const Estimates& yours, const Estimates& expected, int channel, const Tiling& tiling)
+/// The scatter of all tiles of this size but a share of most_spoiled; nothing if the expected estimates prove nothing
+/// in them.
+std::optional<double> hiding_scatter(const Estimates& yours, const Estimates& expected, int channel,
+                                     const Tiling& tiling)
 {
-    std::size_t judged = 0;
-    std::size_t spoiled = 0;
+    std::vector<double> scatters;
     for (std::size_t n = 0; n < tiling.sums.size(); ++n) {
         const TilePlace place = tiling.place(n);
-        const Power power =
-            power_of(tiling.sums[n], noise_variance(yours, channel, place), noise_variance(expected, channel, place));
-        judged += power == Power::none_expected ? 0 : 1;
-        spoiled += power == Power::spoiled ? 1 : 0;
+        if (const auto one = hiding_scatter(tiling.sums[n], noise_variance(yours, channel, place),
+                                            noise_variance(expected, channel, place)))
+            scatters.push_back(*one);
     }
-    if (judged == 0) return std::nullopt;
-    return static_cast<double>(spoiled) > most_spoiled * static_cast<double>(judged);
+    if (scatters.empty()) return std::nullopt;
+    const auto spoiled = static_cast<std::size_t>(most_spoiled * static_cast<double>(scatters.size()));
+    const auto widest = scatters.end() - 1 - static_cast<std::ptrdiff_t>(spoiled);
+    std::ranges::nth_element(scatters, widest);
+    return *widest;
 }
 
 /// What negative estimates take away of a channel that is nowhere negative, as a share of its light; 0 of another one.
@@ -87,18 +93,23 @@ double negative_share(const Estimates& yours, const Estimates& expected, int cha
 
 }
 
-bool lacks_power(const Estimates& yours, const Estimates& expected)
+bool cancels_itself(const Estimates& yours, const Estimates& expected)
 {
     for (int channel = 0; channel < expected.channels; ++channel)
         if (negative_share(yours, expected, channel) > most_negative) return true;
+    return false;
+}
 
+double hiding_scatter(const Estimates& yours, const Estimates& expected)
+{
+    double widest = 0;
     for (int channel = 0; channel < expected.channels; ++channel)
         for (const Tiling& tiling : tilings_of(yours, expected, channel))
-            if (const std::optional<bool> lacks = lacks_power(yours, expected, channel, tiling)) {
-                if (*lacks) return true;
+            if (const std::optional<double> scatter = hiding_scatter(yours, expected, channel, tiling)) {
+                widest = std::max(widest, *scatter);
                 break;
             }
-    return false;
+    return widest;
 }
 
 }

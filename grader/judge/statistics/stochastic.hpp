@@ -97,13 +97,18 @@ inline constexpr double stochastic_alpha = 1e-4;
 /// work is accused with a chance below a hundredth of check_alpha().
 [[nodiscard]] bool scatters_apart(const Estimates& yours, const Estimates& expected);
 
-/// Do the estimates scatter so widely, or cancel each other so much, that their means would agree with anything? Huge
-/// ones of either sign, now and then, have in scatters_apart() whatever mean is expected; not here. True where light
-/// that is nowhere negative is more than half taken away again by negative estimates, or where estimates of 0 could not
-/// be told from the expected ones since yours scatter more than 30 times as widely: in a table's component, or in more
-/// than an eighth of the smallest tiles in which the reference's noise (known from the differences of neighbours) would
-/// tell.
-[[nodiscard]] bool lacks_power(const Estimates& yours, const Estimates& expected);
+/// Is light that is nowhere negative more than half taken away again by negative estimates? Huge ones of either sign,
+/// now and then, have in scatters_apart() whatever mean is expected.
+[[nodiscard]] bool cancels_itself(const Estimates& yours, const Estimates& expected);
+
+/// How many times as widely as the expected estimates yours scatter, in standard deviations, where that hides a bias:
+/// the widest of a table's components, or of a picture's channels in all but an eighth of the smallest tiles that prove
+/// something (noise is known from the differences of neighbours). Where a bias of a tenth would still be told, nothing
+/// is hidden, and the scatter is 0.
+///
+/// Whoever multiplies one estimate in thirty by some twenty, of either sign, hides all that is wrong with the others
+/// behind a scatter of 3: how much right work needs, each check says (NoiseParameters).
+[[nodiscard]] double hiding_scatter(const Estimates& yours, const Estimates& expected);
 
 /// Sums over a tile of two results.
 struct TileSums {
