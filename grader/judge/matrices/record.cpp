@@ -20,10 +20,15 @@ double largest_of(std::span<const double> values)
     return largest;
 }
 
+double largest_in_column(std::span<const double> matrix, std::size_t index)
+{
+    const std::size_t side = side_of(matrix.size());
+    return largest_of(matrix.subspan(index / side * side, side));
+}
+
 Scale column_scale(std::span<const double> expected, std::size_t index)
 {
-    const std::size_t side = side_of(expected.size());
-    const double column = largest_of(expected.subspan(index / side * side, side));
+    const double column = largest_in_column(expected, index);
     const double size = column > 0 ? column : largest_of(expected);
     return {float_ulp(size), size};
 }
@@ -38,9 +43,8 @@ std::string entry_text(std::size_t matrix, std::size_t components, std::size_t i
 std::string entry_number(std::span<const double> matrix, std::size_t index, int digits)
 {
     constexpr double nothing = 1e-9;
-    const std::size_t side = side_of(matrix.size());
-    const double column = largest_of(matrix.subspan(index / side * side, side));
-    const bool shows_nothing = digits <= usual_digits && std::abs(matrix[index]) < nothing * column;
+    const bool shows_nothing =
+        digits <= usual_digits && std::abs(matrix[index]) < nothing * largest_in_column(matrix, index);
     return shows_nothing ? "0" : number_text(matrix[index], digits);
 }
 
