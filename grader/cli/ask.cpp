@@ -33,7 +33,11 @@ std::string number_line(const std::string& name, double mine, double right)
 {
     const auto [a, b] =
         telling_apart([&](int digits) { return std::pair(number_text(mine, digits), number_text(right, digits)); });
-    const bool measured = std::isfinite(mine) && std::isfinite(right);
+    // Counts, and what is beside 0 or far off, lie so and so many steps of float apart, which tells nobody anything.
+    constexpr double most_ulps = 1e6;
+    const bool whole = mine == std::trunc(mine) && right == std::trunc(right);
+    const bool measured = std::isfinite(mine) && std::isfinite(right) && right != 0 && !whole &&
+                          std::abs(mine - right) < most_ulps * float_ulp(right);
     const std::string distance =
         measured ? fmt::format(" ({})", error_text(Unit::ulps, std::abs(mine - right) / float_ulp(right))) : "";
     return fmt::format("{}{}{} and {}{}", name, name.empty() ? "" : ": ", a, b, distance);
@@ -85,7 +89,7 @@ void ask(Application& application, const AskOptions& options)
     const BuiltWork work = built_work(application, exercise, options.folder);
     Worker worker(application.tools);
     const AskedQuestion asked = ask_question(worker, exercise, work.built, question);
-    if (!asked.refused.empty()) throw UsageError("this is no question:\n" + asked.refused);
+    if (!asked.refused.empty()) throw UsageError("this cannot be asked:\n" + asked.refused);
     const Paint paint(application.style);
     print_answer(paint, "yours", Tone::yours, asked.yours);
     print_answer(paint, "reference", Tone::expected, asked.reference);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "explain/asked_alone.hpp"
+#include "explain/asked_answers.hpp"
 #include "explain/common_condition.hpp"
 #include "explain/other_questions.hpp"
 #include "explain/simplest_question.hpp"
@@ -103,9 +104,12 @@ public:
         }
         for (RowPair* row : rows_in(detail, check.name)) show(row->cell, row->question);
         if (!may_repeat(worker_, exercise_, one_)) return;
+        const AskedCheck asked{exercise_, check, runs_, one_, log_, headers};
+        if (result.first_difference && !result.first_difference->cell)
+            if (const auto question = first_wrong_group(asked))
+                shown_.push_back({{*question, 1}, &result.first_difference->question});
         // What wrong answers share says nothing of the cause then.
-        result.common =
-            alone ? right_alone : sentence_of(find_in_common(worker_, {exercise_, check, runs_, one_, log_, headers}));
+        result.common = alone ? right_alone : sentence_of(find_in_common(worker_, asked));
     }
 
     /// Asks for the code of all that is shown.
@@ -121,6 +125,15 @@ public:
     }
 
 private:
+    /// Where rows are free, one that came too often is none of the expected ones, and has no question of its own: the
+    /// first question of which the rows together are wrong.
+    [[nodiscard]] std::optional<std::uint32_t> first_wrong_group(const AskedCheck& asked) const
+    {
+        for (const AskedAnswer& one : asked_answers(worker_, asked, one_.seed).all)
+            if (!one.row && one.answer.wrong) return one.question;
+        return std::nullopt;
+    }
+
     /// Rows that one value may belong to, and that are answers to different questions: nobody knows which it is.
     [[nodiscard]] bool is_of_several(const Check& check, std::size_t cells, const Difference& first) const
     {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "question/quantity.hpp"
+
 namespace umbral::grader {
 namespace {
 
@@ -85,8 +87,9 @@ std::vector<Fact> facts_of(const QuestionTable& table)
         for (std::size_t j = i + 1; j < std::min(vectors.size(), most_vectors); ++j) {
             const VectorColumns& b = vectors[j];
             if (a.size != b.size || b.first >= table.answers) continue;
-            facts.push_back(fact(fmt::format("the distance between {} and {}", a.words, b.words), Fact::Kind::length,
-                                 table, [&](const auto& row) { return distance(row, a, b); }));
+            if (quantity_of(a.words) == quantity_of(b.words))
+                facts.push_back(fact(fmt::format("the distance between {} and {}", a.words, b.words),
+                                     Fact::Kind::length, table, [&](const auto& row) { return distance(row, a, b); }));
             facts.push_back(fact(fmt::format("dot({}, {})", a.words, b.words), Fact::Kind::product, table,
                                  [&](const auto& row) { return dot(row, a, b); }));
             facts.push_back(fact(fmt::format("{} and {}", a.words, b.words), Fact::Kind::parallel, table,

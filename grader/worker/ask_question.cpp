@@ -86,10 +86,20 @@ Answer answer_in(const RunOutcome& run)
 std::string not_askable(const Exercise& exercise)
 {
     if (!exercise.is_cpp()) return "its shaders are drawn with, and not called";
-    if (exercise.gl) return "its functions draw, and a question alone has nothing to draw on";
     if (exercise.glfw) return "its functions answer events, and a question alone has none";
-    if (!exercise.uses.empty()) return "it calls other units, which only its own cases bring along";
     return "";
+}
+
+namespace {
+
+/// What a question alone has not, of a unit of which some functions need it.
+std::string missing_beside(const Exercise& exercise)
+{
+    if (exercise.gl) return "this function draws, and a question alone has nothing to draw on\n";
+    if (!exercise.uses.empty()) return "this function calls other units, which only the unit's own cases bring along\n";
+    return "";
+}
+
 }
 
 AskedQuestion ask_question(Worker& worker, const Exercise& exercise, const Built& built, const std::string& question)
@@ -103,6 +113,8 @@ AskedQuestion ask_question(Worker& worker, const Exercise& exercise, const Built
         return asked;
     }
     asked.reference = answer_in(worker.answer(exercise, Answers::reference, *driver.library));
+    if (!asked.reference.given) asked.refused = missing_beside(exercise);
+    if (!asked.refused.empty()) return asked;
     if (std::ranges::any_of(exercise.checks, &Check::hard))
         asked.oracle = answer_in(worker.answer(exercise, Answers::oracle, *driver.library));
     asked.yours = answer_in(worker.answer(exercise, built, *driver.library));

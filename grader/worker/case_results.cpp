@@ -222,6 +222,8 @@ void take_judgement(const Check& check, const Judgement& judgement, double contr
     result.first_difference = judgement.first_difference;
     result.sketch = judgement.sketch;
     result.borderline = judgement.borderline;
+    if (judgement.right >= check.full && result.score < check.points && result.message.empty())
+        result.message = "right, and so is what knows nothing of the problem: these inputs tell nothing";
 }
 
 }

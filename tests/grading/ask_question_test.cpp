@@ -66,11 +66,22 @@ TEST_F(AskQuestion, tells_how_a_run_ended_that_gave_no_answer)
     EXPECT_TRUE(asked.reference.given);
 }
 
-TEST_F(AskQuestion, is_for_units_whose_functions_need_nothing_else)
+TEST_F(AskQuestion, is_for_functions_that_need_nothing_else)
 {
     EXPECT_EQ(not_askable(sphere), "");
-    for (const char* const unit : {"lighting/shaders", "pipeline/draw-immediate", "interaction/callbacks"})
+    for (const char* const unit : {"lighting/shaders", "interaction/callbacks"})
         EXPECT_NE(not_askable(bench.exercise(unit)), "") << unit;
+}
+
+// Its pictures are drawn by OpenGL, and its functions are not.
+TEST_F(AskQuestion, is_for_functions_of_units_with_pictures)
+{
+    const Exercise frustum = bench.exercise("projections/fit-frustum");
+    ASSERT_TRUE(frustum.gl);
+    const Built built = build(bench.tools(), frustum, reference_sources(bench.tools().reference, frustum));
+    const AskedQuestion asked = ask_question(worker, frustum, built, "fit_sphere(1, 4, PictureSize{200, 100})");
+    EXPECT_TRUE(asked.reference.given) << asked.refused << asked.reference.text;
+    EXPECT_TRUE(asked.yours.given) << asked.yours.text;
 }
 
 }

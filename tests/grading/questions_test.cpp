@@ -23,6 +23,11 @@ protected:
     QuestionsOfLists() : SpoiltReference("meshes/vertex-normals") {}
 };
 
+class QuestionsOfPolygons : public SpoiltReference {
+protected:
+    QuestionsOfPolygons() : SpoiltReference("pipeline/clip-polygon") {}
+};
+
 class QuestionsOfGrids : public SpoiltReference {
 protected:
     QuestionsOfGrids() : SpoiltReference("meshes/grid-and-sphere") {}
@@ -137,6 +142,16 @@ TEST_F(QuestionsOfLists, what_is_wrong_of_itself_is_not_laid_on_earlier_calls)
     const CheckResult& wrong = check(result, "sharp folds/vertices");
     ASSERT_TRUE(wrong.first_difference);
     EXPECT_NE(wrong.common, right_alone);
+}
+
+// Corners where none is expected are no row of the expected ones, and still somebody asked for them.
+TEST_F(QuestionsOfPolygons, what_came_too_often_has_a_question)
+{
+    const UnitResult result = grade("if (result.size() < 3) result.clear();", "");
+    const CheckResult& wrong = check(result, "borders/corners");
+    ASSERT_TRUE(wrong.first_difference);
+    EXPECT_EQ(wrong.first_difference->expected, "no corner");
+    EXPECT_EQ(wrong.first_difference->question.find("clip_polygon("), 0U) << wrong.first_difference->question;
 }
 
 // Four grids of 63 corners: that all with one column are right, and others are wrong, is chance.

@@ -52,6 +52,15 @@ TEST(Controls, noise_stays_in_the_range_and_follows_its_seed)
     EXPECT_GT(*std::max_element(noise.begin(), noise.end()) - *std::min_element(noise.begin(), noise.end()), 2.5F);
 }
 
+// By chance a draw of noise is all right in one of 512 such tables: right work would earn nothing there.
+TEST(Controls, no_few_answers_are_all_right_by_chance)
+{
+    const Check check = check_of(JudgeKind{"numbers"}, absolute(0));
+    const Tensor answers = grid(1, 9, {1, 0, 0, 1, 1, 0, 1, 0, 1});
+    for (std::uint64_t seed = 0; seed < 3000; ++seed)
+        ASSERT_LT(best_control(check, answers, nullptr, seed).right, 0.9) << seed;
+}
+
 TEST(Controls, the_best_one_is_found)
 {
     const Check numbers = check_of(JudgeKind{"numbers"}, absolute(0.1));

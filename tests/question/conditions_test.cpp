@@ -1,4 +1,5 @@
 #include "question/conditions.hpp"
+#include "question/quantity.hpp"
 
 #include <gtest/gtest.h>
 
@@ -186,6 +187,26 @@ TEST(Conditions, hold_or_not_on_other_questions)
     EXPECT_TRUE(parts(*condition, facts_of(fresh), wrong_where(fresh, inside)));
     EXPECT_FALSE(parts(*condition, facts_of(fresh), wrong_where(fresh, [](const auto& row) { return row[4] < 0; })));
     EXPECT_FALSE(parts(*condition, facts_of(fresh), std::vector<bool>(400, true)));
+}
+
+// A side of 1 is less than 30 degrees, always: that is no reason.
+TEST(Conditions, compare_no_angle_with_a_length)
+{
+    QuestionTable table{{"side", "fovy_degrees", "distance"}, {}};
+    for (int i = 0; i < 40; ++i) table.numbers.push_back({1.0 + i % 3, i % 2 == 0 ? 120.0 + i : 0.3, 9.0});
+    const auto wide = [](const std::vector<double>& row) { return row[1] > 100; };
+    EXPECT_EQ(words(table, wrong_where(table, wide)), "fovy_degrees is at least 60");
+}
+
+TEST(Facts, measure_no_distance_between_a_place_and_a_direction)
+{
+    EXPECT_EQ(quantity_of("ray.direction"), Quantity::direction);
+    EXPECT_EQ(quantity_of("camera.fovy_degrees"), Quantity::angle);
+    EXPECT_EQ(quantity_of("the right answer"), Quantity::unknown);
+    EXPECT_EQ(quantity_of("group.size"), Quantity::unknown);
+    QuestionTable table{{"ray.origin.x", "ray.origin.y", "ray.direction.x", "ray.direction.y"}, {{1, 2, 3, 4}}};
+    for (const Fact& fact : facts_of(table))
+        EXPECT_EQ(fact.words.find("the distance"), std::string::npos) << fact.words;
 }
 
 TEST(Facts, know_lengths_products_and_parallel_vectors)

@@ -155,7 +155,8 @@ inline LensCamera random_still_life_camera(Random& random)
 {
     const glm::vec3 eye(random.uniform(-0.8F, 0.8F), random.uniform(0.9F, 1.6F), 4);
     const glm::vec3 target(0, 0.5F, random.uniform(-0.5F, 0.5F));
-    const float radius = random.uniform(0.06F, 0.15F);
+    // Wide: what is out of focus is spread over many of the few pixels of the picture.
+    const float radius = random.uniform(0.2F, 0.45F);
     const float focus = random.uniform(2.5F, 5);
     return camera_towards(eye, target, random.uniform(0.3F, 0.45F), {radius, focus, random.uniform(-0.3F, 0), 0.6F});
 }

@@ -52,10 +52,11 @@ public:
     /// Turns the camera where it stands until `point` is in the middle of the picture, and changes to `examine`.
     /// Course: mirarHacia.
     ///
-    /// `point` becomes the attention point; if it is nearer than 1.001 min_distance or farther than max_distance, the
-    /// point of the same ray at that distance does. A point within 1e-6 of the observer is in no direction: the call is
-    /// ignored, and the mode stays. If the point lies straight above or below (the sine of the angle to the vertical is
-    /// under 1e-6), α stays as it is.
+    /// The observer stays, and the new angles and distance are those to `point`, which thereby becomes the attention
+    /// point; a distance under 1.001 min_distance or over max_distance becomes that. A point within 1e-6 of the
+    /// observer is in no direction: the call is ignored, and the mode stays. If the point lies straight above or below
+    /// (the sine of the angle to the vertical is under 1e-6), α stays as it is, and the attention point lies that far
+    /// from `point`.
     virtual void look_toward(const glm::dvec3& point) = 0;
 
     /// From examine to move, from move to turn, from turn to examine; nothing else changes. Course: siguienteModo.
