@@ -156,6 +156,21 @@ TEST(Terminal, the_first_failing_check_is_the_most_exact_one_and_not_the_manifes
     EXPECT_EQ(first(), "colours/image");
 }
 
+// The last digits of a hard case have a question that leads somewhere; a pixel has thirty.
+TEST(Terminal, hard_numbers_stand_behind_others_and_before_pictures)
+{
+    UnitResult unit = unit_result("a/b", Verdict::wrong, {});
+    for (const auto& [name, kind, hard] :
+         {std::tuple("far/x", "numbers", true), {"ids/ids", "buffer", false}, {"near/x", "matrices", false}}) {
+        unit.checks.push_back(check_result(name, 0, 1000));
+        unit.checks.back().kind = JudgeKind{kind};
+        unit.checks.back().hard = hard;
+    }
+    const std::string report = terminal_report(submission_result("ana", {unit}), {.width = 160});
+    EXPECT_TRUE(has(report, "check     near/x")) << report;
+    EXPECT_TRUE(has(report, "also      far/x, ids/ids not right")) << report;
+}
+
 TEST(Terminal, what_was_not_judged_is_not_called_wrong_and_waits_for_what_was)
 {
     UnitResult unit =
