@@ -52,10 +52,11 @@ struct RelationRules {
     Tensor (*moved)(const Tensor& tensor, const std::array<int, 2>& shift) = nullptr;  ///< null: cells are moved
 };
 
-/// A field of a check that one judge alone takes: demanded by it, refused with any other.
+/// A field of a check that one judge alone takes: demanded by it unless it is optional, refused with any other.
 struct OwnField {
     std::string_view name;
     std::string_view schema;  ///< its JSON schema, for docs/schemas/exercise.schema.json
+    bool optional = false;
 };
 
 /// All that is particular to one judge. A new one is a folder grader/judge/<name> that defines such a record, and its

@@ -33,8 +33,11 @@ void add_own_rules(const JudgeRecord& record, Json& rules)
 {
     const Json own = judged_by([&](const JudgeRecord& one) { return &one == &record; });
     for (const OwnField& field : record.own_fields)
-        rules.push_back(
-            {{"if", own}, {"then", {{"required", {field.name}}}}, {"else", without(std::string(field.name))}});
+        if (Json rule{{"if", own}, {"else", without(std::string(field.name))}}; field.optional)
+            rules.push_back(std::move(rule));
+        else
+            rules.push_back(
+                {{"if", own}, {"then", {{"required", {field.name}}}}, {"else", without(std::string(field.name))}});
     if (!record.schema_of_check.empty()) rules.push_back({{"if", own}, {"then", Json::parse(record.schema_of_check)}});
 }
 

@@ -164,7 +164,8 @@ void read_own(const Field& field, const JudgeRecord& judge, Check& check)
 {
     for (const JudgeRecord* other : judges())
         for (const OwnField& one : other->own_fields)
-            if (const Field own = field.member(std::string(one.name)); own.given() != (other == &judge))
+            if (const Field own = field.member(std::string(one.name));
+                own.given() ? other != &judge : other == &judge && !one.optional)
                 own.refuse(fmt::format("{} if, and only if, the judge is \"{}\"", one.name, other->name));
     if (judge.read_own != nullptr) judge.read_own(field, check);
 }

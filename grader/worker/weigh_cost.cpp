@@ -32,8 +32,19 @@ double milliseconds_of(const RunOutcome& run)
 /// One side of the comparison: the student's library, or the reference if there is none.
 struct Side {
     const Built* built;
-    OutsideCost least{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
-                      std::numeric_limits<double>::max()};
+    OutsideCost least{nothing_yet};
+    OutsideCost before{nothing_yet};  ///< of the work that this one's needs (CostParameters::after)
+
+    /// What is the work's own.
+    [[nodiscard]] OutsideCost own(bool needs_other) const
+    {
+        if (!needs_other) return least;
+        return {least.nothing, std::max(least.nothing, least.first_sizes - before.first_work()),
+                std::max(least.nothing, least.all_sizes - before.work())};
+    }
+
+    static constexpr OutsideCost nothing_yet{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
+                                             std::numeric_limits<double>::max()};
 };
 
 /// In which row the answers to the work are wrong, if in any.
@@ -50,26 +61,32 @@ std::optional<std::string> measured_objection(Worker& worker, const Exercise& ex
     Side student{&built};
     Side reference{nullptr};
     bool left_out = false;
-    const auto take = [&](Side& side, std::size_t count, double OutsideCost::*least) {
-        RunOutcome run = worker.run_limited(exercise, side.built, check.case_name, seed, {check.value, count});
-        const Tensor* table = tensor_of(run, check.value);
+    const std::string& after = parameters_of<CostParameters>(check).after;
+    const auto take = [&](Side& side, const std::string& name, std::size_t count, double& least) {
+        RunOutcome run = worker.run_limited(exercise, side.built, check.case_name, seed, {name, count});
+        const Tensor* table = tensor_of(run, name);
         left_out = left_out || (table == nullptr ? 0 : table->rows) != count;
-        side.least.*least = std::min(side.least.*least, milliseconds_of(run));
+        least = std::min(least, milliseconds_of(run));
         return run;
     };
     for (int i = 0; i < runs && (i == 0 || time.is_left()); ++i)
         for (const auto& [count, least] : {std::pair{std::size_t{0}, &OutsideCost::nothing},
                                            {sizes_to_compare(sizes), &OutsideCost::first_sizes},
                                            {sizes.size(), &OutsideCost::all_sizes}}) {
-            const RunOutcome theirs = take(student, count, least);
-            const RunOutcome ours = take(reference, count, least);
+            const RunOutcome theirs = take(student, check.value, count, student.least.*least);
+            const RunOutcome ours = take(reference, check.value, count, reference.least.*least);
             time.spend(std::max(theirs.cpu_seconds, theirs.wall_seconds));
+            if (!after.empty()) {
+                const RunOutcome other = take(student, after, count, student.before.*least);
+                (void)take(reference, after, count, reference.before.*least);
+                time.spend(std::max(other.cpu_seconds, other.wall_seconds));
+            }
             // Whoever notices that the work is measured, and not looked at, could leave it.
             left_out = left_out || wrong_answer(check, theirs, ours);
         }
     if (left_out) return "when the work was asked for again, to measure its time, it was not done";
-    return objection_from_outside(student.least, reference.least, sizes, parameters_of<CostParameters>(check).growth,
-                                  names);
+    return objection_from_outside(student.own(!after.empty()), reference.own(!after.empty()), sizes,
+                                  parameters_of<CostParameters>(check).growth, names);
 }
 
 std::optional<std::string> objection_to(Worker& worker, const Exercise& exercise, const Check& check,

@@ -37,8 +37,13 @@ TEST(Ask, shows_what_everybody_answers_and_where_they_differ)
     folder.write("question.txt", "intersect(Ray{{8, -3, 4}, {-1, 0, 0}},\n    Sphere{{0, 0, 0}, 13})\n");
     const Printed wrong = ask(folder, folder / "wrong.cpp", "--file '" + (folder / "question.txt").string() + "'");
     EXPECT_EQ(wrong.status, 0) << wrong.text;
-    for (const char* const part : {"yours      40", "Yours and the reference's differ:", "40 and 20 ("})
+    for (const char* const part : {"yours      40", "Yours and the reference's differ:", "40 and 20\n"})
         EXPECT_NE(wrong.text.find(part), std::string::npos) << part << " in\n" << wrong.text;
+    // Steps of float are told where there are few of them.
+    folder.write("close.txt", std::string(text).replace(text.find("return t;"), 9, "return t * 1.000001F;"));
+    const Printed close = ask(folder, folder / "close.txt", question);
+    EXPECT_NE(close.text.find("20.00002 and 20 ("), std::string::npos) << close.text;
+    EXPECT_NE(close.text.find(" ulp)"), std::string::npos) << close.text;
 }
 
 TEST(Ask, refuses_what_is_no_question_with_the_reason)

@@ -126,65 +126,6 @@ TEST(Terminal, equal_results_give_equal_reports_and_ascii_is_ascii)
         ASSERT_TRUE(c == '\n' || (c >= 0x20 && c < 0x7F)) << int{c};
 }
 
-TEST(Terminal, the_first_failing_check_is_the_most_exact_one_and_not_the_manifests_first)
-{
-    // From vague to exact, as a manifest might list them.
-    const std::vector<std::pair<JudgeKind, std::string>> kinds = {
-        {JudgeKind{"image"}, "colours/image"}, {JudgeKind{"cost"}, "work/blocks"}, {JudgeKind{"buffer"}, "ids/ids"},
-        {JudgeKind{"numbers"}, "dot/x"},       {JudgeKind{"matrices"}, "view/m"},  {JudgeKind{"trace"}, "calls/calls"}};
-    UnitResult unit = unit_result("a/b", Verdict::wrong, {});
-    for (const auto& [kind, name] : kinds) {
-        unit.checks.push_back(check_result(name, 0, 1000));
-        unit.checks.back().kind = kind;
-        unit.max_score += 1000;
-    }
-    const auto first = [&] {
-        const std::string report = terminal_report(submission_result("ana", {unit}), {.width = 160});
-        const std::size_t at = report.find("check     ") + 10;
-        return report.substr(at, report.find(' ', at) - at);
-    };
-    EXPECT_EQ(first(), "calls/calls");
-    EXPECT_TRUE(has(terminal_report(submission_result("ana", {unit}), {.width = 160}),
-                    "also      dot/x, view/m, ids/ids, work/blocks, colours/image not right"));
-    unit.checks.pop_back();
-    EXPECT_EQ(first(), "dot/x") << "of two as exact as each other, the manifest's first";
-    unit.checks.resize(3);
-    EXPECT_EQ(first(), "ids/ids");
-    unit.checks[2].score = 1000;
-    EXPECT_EQ(first(), "work/blocks") << "what is right is no failure";
-    unit.checks[1].hidden = true;
-    EXPECT_EQ(first(), "colours/image");
-}
-
-// The last digits of a hard case have a question that leads somewhere; a pixel has thirty.
-TEST(Terminal, hard_numbers_stand_behind_others_and_before_pictures)
-{
-    UnitResult unit = unit_result("a/b", Verdict::wrong, {});
-    for (const auto& [name, kind, hard] :
-         {std::tuple("far/x", "numbers", true), {"ids/ids", "buffer", false}, {"near/x", "matrices", false}}) {
-        unit.checks.push_back(check_result(name, 0, 1000));
-        unit.checks.back().kind = JudgeKind{kind};
-        unit.checks.back().hard = hard;
-    }
-    const std::string report = terminal_report(submission_result("ana", {unit}), {.width = 160});
-    EXPECT_TRUE(has(report, "check     near/x")) << report;
-    EXPECT_TRUE(has(report, "also      far/x, ids/ids not right")) << report;
-}
-
-TEST(Terminal, what_was_not_judged_is_not_called_wrong_and_waits_for_what_was)
-{
-    UnitResult unit =
-        unit_result("a/b", Verdict::wrong, {check_result("dot/x", 0, 1000), check_result("dot/y", 0, 1000)});
-    const auto report = [&] { return terminal_report(submission_result("ana", {unit}), {.width = 160}); };
-    EXPECT_TRUE(has(report(), "check     dot/x  wrong, 0 of 1 points"));
-    unit.checks[0].unjudged = Unjudged::not_run;
-    EXPECT_TRUE(has(report(), "check     dot/y  wrong, 0 of 1 points"));
-    unit.checks[1].unjudged = Unjudged::stopped;
-    EXPECT_TRUE(has(report(), "check     dot/y  no result, 0 of 1 points"));
-    unit.checks[1].unjudged = Unjudged::unwritten;
-    EXPECT_TRUE(has(report(), "check     dot/x  not run, 0 of 1 points"));
-}
-
 TEST(Terminal, colour_adds_nothing_but_colour)
 {
     const SubmissionResult submission = submission_result("ana", {transposed()});

@@ -34,6 +34,22 @@ inline Soup sized(Soup soup, float size)
     return soup;
 }
 
+/// Right triangles in planes across the axes, whose legs are edges of their boxes.
+inline Soup legs_on_axes(Random& random, int count)
+{
+    Soup soup;
+    for (int i = 0; i < count; ++i) {
+        const std::uint32_t axis = random.below(3);
+        const glm::vec3 corner = 3.0F * random.in_cube();
+        glm::vec3 along(0);
+        glm::vec3 up(0);
+        along[static_cast<int>(axis)] = random.uniform(0.2F, 1);
+        up[static_cast<int>(axis + 1) % 3] = random.uniform(0.2F, 1);
+        soup.push_back({corner, corner + along, corner + up});
+    }
+    return soup;
+}
+
 inline void shuffle(Soup& soup, Random& random)
 {
     for (std::size_t i = soup.size(); i > 1; --i)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <umbral/record/tensor.hpp>
 #include <vector>
 
@@ -8,7 +9,8 @@ namespace umbral::grader {
 
 /// What only this judge takes.
 struct CostParameters {
-    double growth = 1;  ///< the largest exponent of the size with which the count may grow
+    double growth = 1;    ///< the largest exponent of the size with which the count may grow
+    std::string after{};  ///< another table of the case whose work on a size this one's needs; or none
 };
 
 /// What one size took, in basic blocks.

@@ -14,7 +14,12 @@
 namespace umbral::grader {
 namespace {
 
-void read_growth(const Field& check, Check& to) { to.own = CostParameters{check.member("growth").number(0, 8)}; }
+void read_growth(const Field& check, Check& to)
+{
+    CostParameters parameters{check.member("growth").number(0, 8)};
+    if (const Field after = check.member("after"); after.given()) parameters.after = after.text(64);
+    to.own = std::move(parameters);
+}
 
 // A function that does nothing, whatever the size: one block.
 Tensor at_once(const Tensor& expected)
@@ -63,7 +68,15 @@ constexpr OwnField fields_of_cost[] = {{"growth", R"({
   "type": "number",
   "minimum": 0,
   "maximum": 8
-})"}};
+})"},
+                                       {"after",
+                                        R"({
+  "description": "Costs: another table of the case whose work on a size this one's needs, as asking a tree needs )"
+                                        R"(building it. What that takes is not laid on this one, when it )"
+                                        R"(is measured from outside.",
+  "type": "string"
+})",
+                                        true}};
 
 }
 

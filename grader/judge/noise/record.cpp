@@ -18,8 +18,11 @@
 namespace umbral::grader {
 namespace {
 
-constexpr OwnField fields_of_noise[] = {{"scatter", R"({
-  "description": "Noise: how many times as widely as the reference's estimates may scatter, in standard deviations, where that hides a bias of a tenth. At least twice what right estimators of other kinds need.",
+constexpr OwnField fields_of_noise[] = {{"scatter",
+                                         R"({
+  "description": "Noise: how many times as widely as the reference's estimates may scatter, in standard )"
+                                         R"(deviations, where that hides a bias of a tenth. At least twice what )"
+                                         R"(right estimators of other kinds need.",
   "type": "number",
   "minimum": 1,
   "maximum": 1000
