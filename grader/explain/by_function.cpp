@@ -94,8 +94,9 @@ std::vector<Explanation> by_function(Worker& worker, const Exercise& exercise, s
         const std::string name = function.substr(function.rfind(':') + 1);
         for (Explanation& one : explain_by_transform(answers.checks)) {
             one.fit = std::min(one.fit, static_cast<double>(answers.its_alone) / static_cast<double>(parts.failing));
-            found.push_back({fmt::format("{} in {}", one.name, name), sentence_of(name, std::move(one.sentence)),
-                             one.confidence, one.fit});
+            one.name += " in " + name;
+            one.sentence = sentence_of(name, std::move(one.sentence));
+            found.push_back(std::move(one));
         }
     }
     return found;

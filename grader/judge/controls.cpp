@@ -107,6 +107,26 @@ Tensor blank(const Tensor& expected, const TensorView& view)
     return filled(expected, most_frequent(view, border));
 }
 
+/// Noise that is right as often as noise is on average. In a small table one draw may happen to be all right: one in
+/// 512 of nine answers yes or no, and then right work would earn nothing.
+Tensor typical_noise(const Check& check, const Tensor& expected, const ComponentStatistics& statistics,
+                     std::uint64_t seed)
+{
+    constexpr std::size_t small = 64;
+    constexpr std::uint64_t draws = 9;
+    if (expected.cells() > small) return noise_within(expected, statistics, seed);
+    const Tensor finite = made_finite(expected);
+    std::vector<std::pair<double, Tensor>> all;
+    for (std::uint64_t draw = 0; draw < draws; ++draw) {
+        Tensor noise = noise_within(expected, statistics, seed + draw);
+        const double right = fraction_right(check, noise, finite, nullptr);
+        all.emplace_back(right, std::move(noise));
+    }
+    const auto median = all.begin() + static_cast<std::ptrdiff_t>(draws / 2);
+    std::ranges::nth_element(all, median, {}, &std::pair<double, Tensor>::first);
+    return std::move(median->second);
+}
+
 }
 
 Tensor filled(const Tensor& expected, const std::vector<double>& row)
@@ -152,29 +172,6 @@ Tensor noise_within(const Tensor& expected, const ComponentStatistics& statistic
         if (tensor.present[cell] == 0)
             std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(cell * width), width, 0.0);
     return with_values(tensor, values);
-}
-
-namespace {
-
-/// Noise that is right as often as noise is on average. In a small table one draw may happen to be all right: one in
-/// 512 of nine answers yes or no, and then right work would earn nothing.
-Tensor typical_noise(const Check& check, const Tensor& expected, const ComponentStatistics& statistics,
-                     std::uint64_t seed)
-{
-    constexpr std::size_t small = 64;
-    constexpr std::uint64_t draws = 9;
-    if (expected.cells() > small) return noise_within(expected, statistics, seed);
-    std::vector<std::pair<double, Tensor>> all;
-    for (std::uint64_t draw = 0; draw < draws; ++draw) {
-        Tensor noise = noise_within(expected, statistics, seed + draw);
-        const double right = fraction_right(check, noise, made_finite(expected), nullptr);
-        all.emplace_back(right, std::move(noise));
-    }
-    const auto median = all.begin() + static_cast<std::ptrdiff_t>(draws / 2);
-    std::ranges::nth_element(all, median, {}, &std::pair<double, Tensor>::first);
-    return std::move(median->second);
-}
-
 }
 
 Controls common_controls(const Check& check, const Tensor& expected, std::uint64_t seed)

@@ -32,12 +32,12 @@ Json without_in_relation(const std::string& field) { return {{"properties", {{"r
 void add_own_rules(const JudgeRecord& record, Json& rules)
 {
     const Json own = judged_by([&](const JudgeRecord& one) { return &one == &record; });
-    for (const OwnField& field : record.own_fields)
-        if (Json rule{{"if", own}, {"else", without(std::string(field.name))}}; field.optional)
-            rules.push_back(std::move(rule));
-        else
-            rules.push_back(
-                {{"if", own}, {"then", {{"required", {field.name}}}}, {"else", without(std::string(field.name))}});
+    for (const OwnField& field : record.own_fields) {
+        Json rule{{"if", own}};
+        if (!field.optional) rule["then"] = {{"required", {field.name}}};
+        rule["else"] = without(std::string(field.name));
+        rules.push_back(std::move(rule));
+    }
     if (!record.schema_of_check.empty()) rules.push_back({{"if", own}, {"then", Json::parse(record.schema_of_check)}});
 }
 

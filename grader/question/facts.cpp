@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "question/quantity.hpp"
-
 namespace umbral::grader {
 namespace {
 
@@ -43,6 +41,7 @@ Fact fact(std::string words, Fact::Kind kind, const QuestionTable& table, const 
 {
     Fact result{std::move(words), kind, false, false, false, {}, {}};
     for (const std::vector<double>& row : table.numbers) result.values.push_back(value(row));
+    result.quantity = quantity_of(result.words);
     return result;
 }
 

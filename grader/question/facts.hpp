@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "question/log.hpp"
+#include "question/quantity.hpp"
 
 namespace umbral::grader {
 
@@ -21,6 +22,7 @@ struct Fact {
     bool first = false;                      ///< said before all others that part alike
     std::vector<double> values{};            ///< for each question
     std::vector<std::string> value_names{};  ///< what 0, 1, … mean: {"false", "true"}; none of a number that is one
+    Quantity quantity = Quantity::unknown;   ///< what it measures, by its words
 };
 
 /// Questions of one kind beside each other, in their order: `numbers[i]` are the features of question i, `names` what

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "question/quantity.hpp"
-
 namespace umbral::grader {
 namespace {
 
@@ -138,7 +136,7 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
     const Fact& a = facts[i];
     const Fact& b = facts[j];
     if (!comparable(a) || !comparable(b) || a.value_names != b.value_names) return;
-    if ((quantity_of(a.words) == Quantity::angle) != (quantity_of(b.words) == Quantity::angle)) return;
+    if ((a.quantity == Quantity::angle) != (b.quantity == Quantity::angle)) return;
     const int cost = 3 + (a.kind == Fact::Kind::length && b.kind == Fact::Kind::length ? 1 : 0);
     const auto add = [&](const char* words, bool (*test)(double, double), int more) {
         all.push_back({fmt::format("{} is {} {}", a.words, words, b.words),

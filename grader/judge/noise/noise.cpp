@@ -102,9 +102,9 @@ Judgement judge_noise(const Check& check, const Tensor& student, const Tensor& e
     rule.agree = rule.probability >= check_alpha();
     // What scatters apart by a bias shows it: at least a third of the light then lies in the wrong place, beyond noise.
     const double scatter = hiding_scatter(yours, target);
-    const bool proves_nothing = scatter > parameters_of<NoiseParameters>(check).scatter ||
-                                cancels_itself(yours, target) || scatters_apart(yours, target);
-    if (proves_nothing && (rule.agree || rule.misplaced < 1.0 / 3))
+    const bool may_hide = rule.agree || rule.misplaced < 1.0 / 3;
+    if (may_hide && (scatter > parameters_of<NoiseParameters>(check).scatter || cancels_itself(yours, target) ||
+                     scatters_apart(yours, target)))
         return wrong(
             "The estimates scatter far more than the reference's, so that their mean proves nothing: take as many "
             "samples as you are told, choose "
