@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "report/check_words.hpp"
 #include "report/failing_order.hpp"
 #include "report/hidden.hpp"
 #include "report/layout.hpp"
@@ -20,13 +21,10 @@ constexpr std::size_t most_bytes = 4096;
 
 bool fails(const CheckResult& check) { return check.score < check.max_score; }
 
-std::string check_words(const CheckResult& check)
+std::string words_and_points(const CheckResult& check)
 {
-    const std::string_view verdict = !fails(check)                    ? "right"
-                                     : check.unjudged != Unjudged::no ? in_words(check.unjudged)
-                                     : check.score > 0                ? "partly right"
-                                                                      : "wrong";
-    return fmt::format("{}, {} of {} points", verdict, points_text(check.score), points_text(check.max_score));
+    return fmt::format("{}, {} of {} points", check_words(check), points_text(check.score),
+                       points_text(check.max_score));
 }
 
 /// The student's text, at most most_lines lines, each of at most `width` cells; says how much is left out.
@@ -82,7 +80,7 @@ private:
 /// `told` stands above it: what the check only repeats of it is left out.
 void add_first_failing(Block& block, const CheckResult& check, std::string_view told, const Paint& paint)
 {
-    const std::string words = check_words(check);
+    const std::string words = words_and_points(check);
     const std::string name = shorten(paint.safe(check.name), block.room() - display_width(words) - 2, paint.ellipsis());
     block.labelled("check", {fmt::format("{}  {}", paint(Tone::strong, name), words)});
     // A matrix judge's message repeats the matrices that are drawn below.
@@ -153,7 +151,7 @@ void add_others(Block& block, const UnitResult& unit, const std::vector<const Ch
     bool first = true;
     for (const CheckResult& check : unit.checks) {
         if (!check.hidden || !fails(check)) continue;
-        block.sentence(first ? "hidden" : "", check.name + ": " + check_words(check));
+        block.sentence(first ? "hidden" : "", check.name + ": " + words_and_points(check));
         first = false;
     }
 }

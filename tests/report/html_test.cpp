@@ -92,6 +92,15 @@ TEST(Report, buffers_stand_before_pictures_and_numbers_before_buffers)
     EXPECT_FALSE(has(page, "c/right</h3>"));
 }
 
+TEST(Report, what_was_not_judged_is_not_called_wrong)
+{
+    UnitResult unit = unit_result("t/u", Verdict::timeout, {check_result("a/x", 0, 1000)});
+    const auto page = [&] { return report_html(submission_result("s", {unit}), {}, {}, {}); };
+    EXPECT_TRUE(has(page(), "class=\"points\">wrong, 0"));
+    unit.checks[0].unjudged = Unjudged::not_run;
+    EXPECT_TRUE(has(page(), "class=\"points\">not run, 0"));
+}
+
 TEST(Report, a_students_edition_holds_nothing_of_hidden_checks)
 {
     CheckResult hidden = check_result("random/t", 0, 2000, true);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "judge/judges.hpp"
+#include "report/check_words.hpp"
 #include "report/html/bars.hpp"
 #include "report/html/sections.hpp"
 #include "report/paint.hpp"
@@ -104,7 +105,6 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
 {
     const bool right = check.score >= check.max_score;
     const char* kind = right ? "ok" : check.score > 0 ? "partial" : "bad";
-    const char* words = right ? "right" : check.score > 0 ? "partly right" : "wrong";
     Markup result = markup(
         "<article class=\"check {0}\" id=\"{1}\" tabindex=\"-1\" aria-labelledby=\"{1}-name\" data-check>\n<header><h3 "
         "id=\"{1}-name\">{2}</h3>\n<p>",
@@ -113,8 +113,8 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
     if (check.hard) result += "<span class=\"tag\">hard case</span> ";
     result += markup("<span class=\"tag\">{}</span>", to_string(check.kind));
     if (with_points)
-        result += markup(" <span class=\"points\">{}, {}<span class=\"of\"> / {} points</span></span>", words,
-                         points_text(check.score), points_text(check.max_score));
+        result += markup(" <span class=\"points\">{}, {}<span class=\"of\"> / {} points</span></span>",
+                         check_words(check), points_text(check.score), points_text(check.max_score));
     result += "</p></header>\n";
     if (!check.message.empty()) result += markup("<p class=\"message\">{}</p>\n", shown_message(check, detail));
     if (!check.common.empty()) result += markup("<p class=\"common\">{}</p>\n", sentence(check.common));
