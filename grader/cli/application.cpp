@@ -90,7 +90,7 @@ std::string cannot_be_read(const BrokenUnit& unit)
     }
     if (!of_topic.empty())
         throw UsageError(fmt::format("'{}' is a topic, not a unit; its units: {}", name, listed(of_topic)));
-    if (fs::is_directory(name))
+    if (std::error_code unknown; fs::is_directory(name, unknown))
         throw UsageError(
             fmt::format("'{}' is a folder, not a unit; where a command takes a workspace, give it as "
                         "--dir {}, or call the command in it",

@@ -78,7 +78,8 @@ void debug(const Application& application, const DebugOptions& options)
     const std::uint64_t seed = seeds.seed_of(exercise, chosen);
     const std::uint64_t stream = stream_of(exercise, chosen, seed);
     const fs::path own = fs::path(options.folder) / exercise.id;
-    const fs::path sources = fs::is_directory(own) ? own : fs::path(options.folder);
+    std::error_code unknown;
+    const fs::path sources = fs::is_directory(own, unknown) ? own : fs::path(options.folder);
     std::optional<AskedRow> asked;
     if (options.row) asked = question_of_row(application, exercise, chosen, seed, options);
     std::vector<std::string> words;

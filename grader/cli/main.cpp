@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <span>
 
 #include "cli/application.hpp"
@@ -34,6 +35,22 @@ void refuse_unknown_command(const std::vector<std::string>& known, std::span<cha
                      " `umbral --help` shows them all");
 }
 
+/// Whether a path is one that the call names, or lies below one.
+bool is_named(const std::filesystem::path& path, std::span<char* const> words)
+{
+    const auto absolute = [](const std::filesystem::path& any) {
+        std::error_code unknown;
+        const std::filesystem::path full = std::filesystem::absolute(any, unknown).lexically_normal();
+        return full.has_filename() ? full : full.parent_path();
+    };
+    const std::filesystem::path full = absolute(path);
+    return !path.empty() && std::ranges::any_of(words, [&](std::string_view word) {
+        if (word.starts_with("--")) word.remove_prefix(std::min(word.find('='), word.size() - 1) + 1);
+        const std::filesystem::path named = absolute(word);
+        return !word.empty() && std::ranges::mismatch(named, full).in1 == named.end();
+    });
+}
+
 int run(int count, char** words)
 {
     Application application = make_application();
@@ -65,6 +82,12 @@ int main(int count, char** words)
     } catch (const UsageError& error) {
         say(std::string("umbral: ") + error.what() + "\n");
         return exit_usage;
+    } catch (const std::filesystem::filesystem_error& error) {
+        // A disk that is full or a folder that is closed is the user's to mend, where the user named it.
+        const std::span<char* const> after = std::span(words, static_cast<std::size_t>(count)).subspan(1);
+        const bool named = is_named(error.path1(), after) || is_named(error.path2(), after);
+        say(std::string(named ? "umbral: " : "umbral: a fault of Umbral's own: ") + error.what() + "\n");
+        return named ? exit_usage : exit_fault;
     } catch (const std::exception& error) {
         say(std::string("umbral: a fault of Umbral's own: ") + error.what() + "\n");
         return exit_fault;

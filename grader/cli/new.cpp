@@ -42,7 +42,8 @@ void make_unit(Worker& worker, const Exercise& exercise, const fs::path& root)
 /// Who forgets the folder would get one that is called as the unit is, with all units in it.
 void expect_folder(const Application& application, const NewOptions& options)
 {
-    if (fs::exists(options.folder)) return;
+    std::error_code unknown;
+    if (fs::exists(options.folder, unknown)) return;
     for (const Exercise& exercise : application.exercises)
         if (options.folder == exercise.id || options.folder == exercise.name)
             throw UsageError(
