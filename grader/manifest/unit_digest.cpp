@@ -18,38 +18,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files of the project by their names in it, with all that they include.
-class Closure {
-public:
-    explicit Closure(fs::path project) : project_(std::move(project)) {}
-
-    void add(const fs::path& file)
-    {
-        const std::string name = file.lexically_normal().lexically_relative(project_).string();
-        if (!files_.emplace(name, file).second) return;
-        std::ifstream stream(file);
-        const std::string text{std::istreambuf_iterator<char>(stream), {}};
-        for (const std::string& other : included_in(text)) add_included(file, other);
-    }
-
-    [[nodiscard]] std::vector<NamedFile> files() const
-    {
-        std::vector<NamedFile> list;
-        for (const auto& [name, path] : files_) list.push_back({name, path});
-        return list;
-    }
-
-private:
-    void add_included(const fs::path& from, const std::string& name)
-    {
-        for (const fs::path& folder :
-             {from.parent_path(), project_ / "exercises", project_ / "framework", project_ / "reference"})
-            if (const fs::path file = folder / name; fs::is_regular_file(file)) return add(file);
-    }
-
-    fs::path project_;
-    std::map<std::string, fs::path> files_;
-};
+/// A file and all that it includes, by their normal paths.
+void add_closure(const fs::path& project, const fs::path& file, ProjectSources& sources,
+                 std::map<fs::path, std::string>& all)
+{
+    if (all.contains(file)) return;
+    const ProjectSources::Source& source = sources.read(project, file);
+    all.emplace(file, source.digest);
+    for (const fs::path& other : source.including) add_closure(project, other, sources, all);
+}
 
 std::string packaged_digest(const fs::path& file)
 try {
@@ -60,22 +37,47 @@ try {
 
 }
 
-std::string unit_digest(const Exercise& exercise)
+const ProjectSources::Source& ProjectSources::read(const fs::path& project, const fs::path& file)
+{
+    if (const auto known = read_.find(file); known != read_.end()) return known->second;
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || !fs::is_regular_file(file))
+        throw std::runtime_error(fmt::format("{}: expected a readable regular file", file.string()));
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    Source source{sha256_hex(text), {}};
+    for (const std::string& name : included_in(text))
+        for (const fs::path& folder :
+             {file.parent_path(), project / "exercises", project / "framework", project / "reference"})
+            if (const fs::path other = folder / name; fs::is_regular_file(other)) {
+                source.including.push_back(other.lexically_normal());
+                break;
+            }
+    return read_.emplace(file, std::move(source)).first->second;
+}
+
+std::string unit_digest(const Exercise& exercise, ProjectSources& sources)
 {
     const fs::path packaged = exercise.folder / packaged_file;
     if (!fs::exists(exercise.folder / "driver.cpp") && fs::exists(packaged)) return packaged_digest(packaged);
     const fs::path project = exercise.folder.parent_path().parent_path().parent_path();
-    Closure closure(project);
-    for (const char* const name : {"exercise.json", "driver.cpp"}) closure.add(exercise.folder / name);
-    for (const std::string& name : exercise.files) closure.add(exercise.folder / name);
+    std::map<fs::path, std::string> files;
+    const auto add = [&](const fs::path& file) { add_closure(project, file, sources, files); };
+    for (const char* const name : {"exercise.json", "driver.cpp"}) add(exercise.folder / name);
+    for (const std::string& name : exercise.files) add(exercise.folder / name);
     std::string unit = exercise.name;
     std::ranges::replace(unit, '-', '_');
     const fs::path reference = project / "reference" / exercise.topic;
     for (const std::string& name : {unit + ".cpp", unit + "_oracle.cpp"})
-        if (fs::is_regular_file(reference / name)) closure.add(reference / name);
+        if (fs::is_regular_file(reference / name)) add(reference / name);
     for (const std::string& name : exercise.files)
-        if (fs::is_regular_file(reference / name)) closure.add(reference / name);
-    return sha256_of_files(closure.files());
+        if (fs::is_regular_file(reference / name)) add(reference / name);
+    Sha256 hash;
+    hash.update_field("umbral-unit-2");
+    for (const auto& [path, digest] : files) {
+        hash.update_field(path.lexically_relative(project).string());
+        hash.update_field(digest);
+    }
+    return hash.finish();
 }
 
 }

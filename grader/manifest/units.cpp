@@ -72,9 +72,7 @@ std::vector<std::string> included_by_used(const Exercise& exercise)
     return all;
 }
 
-}
-
-Exercise load_exercise(const std::filesystem::path& folder)
+Exercise load_with(const std::filesystem::path& folder, ProjectSources& sources)
 {
     const std::filesystem::path file = folder / "exercise.json";
     Exercise exercise = parse_exercise(read_json(file), file.string());
@@ -85,8 +83,16 @@ Exercise load_exercise(const std::filesystem::path& folder)
                                              file.string(), place, exercise.id));
     add_included(exercise.folder, exercise.files, exercise.interfaces);
     exercise.used_interfaces = included_by_used(exercise);
-    exercise.digest = unit_digest(exercise);
+    exercise.digest = unit_digest(exercise, sources);
     return exercise;
+}
+
+}
+
+Exercise load_exercise(const std::filesystem::path& folder)
+{
+    ProjectSources sources;
+    return load_with(folder, sources);
 }
 
 Units load_units(const std::filesystem::path& root)
@@ -95,6 +101,7 @@ Units load_units(const std::filesystem::path& root)
         throw std::runtime_error(
             fmt::format("{}: expected a directory with units, topic/unit/exercise.json", root.string()));
     Units units;
+    ProjectSources sources;
     const auto keep_broken = [&](std::string id, const auto& load) {
         try {
             load();
@@ -107,7 +114,7 @@ Units load_units(const std::filesystem::path& root)
             for (const auto& folder : folders_in(topic))
                 keep_broken((topic.filename() / folder.filename()).string(), [&] {
                     if (std::filesystem::exists(folder / "exercise.json"))
-                        units.exercises.push_back(load_exercise(folder));
+                        units.exercises.push_back(load_with(folder, sources));
                 });
         });
     for (const JudgeRecord* record : judges()) {

@@ -4,7 +4,6 @@
 #include <openssl/evp.h>
 #include <openssl/hmac.h>
 
-#include <algorithm>
 #include <array>
 #include <fstream>
 #include <stdexcept>
@@ -94,20 +93,6 @@ std::string sha256_of_file(const std::filesystem::path& file)
 {
     Sha256 hash;
     read_in_pieces(file, [&](std::string_view piece) { hash.update(piece); });
-    return hash.finish();
-}
-
-std::string sha256_of_files(std::vector<NamedFile> files)
-{
-    std::sort(files.begin(), files.end(), [](const NamedFile& a, const NamedFile& b) { return a.name < b.name; });
-    Sha256 hash;
-    hash.update_field("umbral-files-1");
-    for (const auto& [name, path] : files) {
-        std::string content;
-        read_in_pieces(path, [&](std::string_view piece) { content += piece; });
-        hash.update_field(name);
-        hash.update_field(content);
-    }
     return hash.finish();
 }
 

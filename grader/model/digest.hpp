@@ -42,14 +42,6 @@ private:
 /// The same of a regular file's content. Throws std::runtime_error that names a file which cannot be read.
 [[nodiscard]] std::string sha256_of_file(const std::filesystem::path& file);
 
-/// Digest of several files: each name and content goes in behind its length, so that no two sets of files give the same
-/// bytes. The order is that of the names, whatever the order given.
-struct NamedFile {
-    std::string name;
-    std::filesystem::path path;
-};
-[[nodiscard]] std::string sha256_of_files(std::vector<NamedFile> files);
-
 /// 16 hexadecimal digits that tell secrets apart and say nothing of them: the first 64 bits of PBKDF2-HMAC-SHA256 (RFC
 /// 8018) over the secret with a salt of this function's own and 200,000 rounds, so that guessing a poor secret by it
 /// takes long. Takes about 0.1 s.

@@ -111,6 +111,23 @@ TEST(LoadExercise, the_digest_changes_with_what_decides_the_score_and_nothing_el
     EXPECT_EQ(digest(), "0123");
 }
 
+TEST(LoadUnits, have_the_digests_of_units_that_are_loaded_alone)
+{
+    const umbral::test::TemporaryFolder folder;
+    write_unit(folder, "meshes/normals");
+    write_unit(folder, "meshes/torus");
+    std::filesystem::create_directories(folder.path() / "exercises");
+    std::filesystem::rename(folder.path() / "meshes", folder.path() / "exercises/meshes");
+    folder.write("exercises/meshes/shared.hpp", "#include \"umbral/core/ray.hpp\"\n");
+    folder.write("framework/umbral/core/ray.hpp", "struct Ray;\n");
+    for (const char* unit : {"normals", "torus"})
+        folder.write(std::string("exercises/meshes/") + unit + "/driver.cpp", "#include \"../shared.hpp\"\n");
+    const Units units = load_units(folder / "exercises");
+    ASSERT_EQ(units.exercises.size(), 2U);
+    for (const Exercise& unit : units.exercises) EXPECT_EQ(load_exercise(unit.folder).digest, unit.digest) << unit.id;
+    EXPECT_NE(units.exercises[0].digest, units.exercises[1].digest);
+}
+
 TEST(LoadUnits, come_in_the_order_of_the_course)
 {
     const umbral::test::TemporaryFolder folder;
