@@ -12,6 +12,7 @@
 
 #include "judge/judges.hpp"
 #include "manifest/include_lines.hpp"
+#include "manifest/statement_table.hpp"
 #include "manifest/unit_digest.hpp"
 #include "text/json_file.hpp"
 
@@ -72,6 +73,15 @@ std::vector<std::string> included_by_used(const Exercise& exercise)
     return all;
 }
 
+/// What its statement says of each check; a unit without a statement is for validate to refuse.
+void add_statement(Exercise& exercise)
+{
+    std::ifstream stream(exercise.folder / "README.md");
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::vector<StatementLine> lines = statement_lines(text);
+    for (Check& check : exercise.checks) check.about = statement_says(lines, check.case_name, check.value);
+}
+
 Exercise load_with(const std::filesystem::path& folder, ProjectSources& sources)
 {
     const std::filesystem::path file = folder / "exercise.json";
@@ -83,6 +93,7 @@ Exercise load_with(const std::filesystem::path& folder, ProjectSources& sources)
                                              file.string(), place, exercise.id));
     add_included(exercise.folder, exercise.files, exercise.interfaces);
     exercise.used_interfaces = included_by_used(exercise);
+    add_statement(exercise);
     exercise.digest = unit_digest(exercise, sources);
     return exercise;
 }

@@ -36,6 +36,7 @@ struct CheckResult {
     std::optional<double> error;            ///< the worst, in the unit of its tolerance; empty if not finite
     std::optional<double> reference_error;  ///< the reference's own against the oracle, where there is one
     std::string message;                    ///< one line; empty if nothing is to say
+    std::string about{};                    ///< what it looks at, in the statement's words; empty if that says nothing
     std::string headline{};  ///< the message up to its values, for where these are shown anyway; or empty
     std::map<std::string, double> metrics;  ///< finite numbers only
     std::optional<Difference> first_difference;

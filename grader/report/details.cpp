@@ -152,6 +152,7 @@ void add_others(Block& block, const UnitResult& unit, const std::vector<const Ch
     for (const CheckResult& check : unit.checks) {
         if (!check.hidden || !fails(check)) continue;
         block.sentence(first ? "hidden" : "", check.name + ": " + words_and_points(check));
+        if (!check.about.empty()) block.sentence("", "It looks at: " + check.about);
         first = false;
     }
 }
@@ -226,7 +227,8 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint)
     const bool ran = !never_ran(unit.verdict);
     if (ran && shown != nullptr) add_first_failing(block, *shown, unit.message, paint);
     if (shown == nullptr && hidden_fails)
-        block.sentence("check", "Every check that you can see is right, but a hidden one is not.");
+        block.sentence("check", "Every check that you can see is right, but a hidden one is not. Its inputs are others of the kind "
+                       "that is told below.");
     if (ran) add_pattern(block, unit, failing);
     add_reasons(block, unit);
     if (ran) add_others(block, unit, failing);

@@ -21,6 +21,7 @@ SubmissionResult without_hidden_values(SubmissionResult submission)
                          .error = {},
                          .reference_error = {},
                          .message = {},
+                         .about = std::move(check.about),
                          .headline = {},
                          .metrics = {},
                          .first_difference = {},

@@ -143,6 +143,7 @@ CheckResult blank_result(const Check& check)
     result.kind = check.judge;
     result.hard = check.hard;
     result.hidden = check.hidden;
+    result.about = check.about;
     result.max_score = check.points;
     return result;
 }

@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/interface_block.hpp"
 #include "collect/sources.hpp"
+#include "manifest/statement_table.hpp"
 #include "manifest/statements.hpp"
 #include "support/temporary_folder.hpp"
 #include "validate/validate.hpp"
@@ -162,6 +163,38 @@ std::string hint_of(Application& application, const std::string& line)
     testing::internal::CaptureStdout();
     EXPECT_EQ(program.run(line), "");
     return testing::internal::GetCapturedStdout();
+}
+
+/// A hidden check that fails alone leaves its student with nothing but this. A unit that is marked by a rubric shows
+/// that instead of its checks.
+TEST(Statements, say_of_each_hidden_check_what_it_looks_at)
+{
+    for (const Exercise& exercise : make_application().exercises)
+        for (const Check& check : exercise.checks)
+            EXPECT_TRUE(!check.hidden || !exercise.rubric.empty() || !check.about.empty())
+                << exercise.id << ": 'What is checked' has no line called " << check.case_name;
+}
+
+TEST(StatementTable, finds_the_line_of_a_check)
+{
+    const std::vector<StatementLine> lines = statement_lines(
+        "## What it is\n| far | no |\n## What is checked\nWords.\n| check | points | what is judged |\n|---|---|---|\n"
+        "| far (hidden, hard) | 1 | far \\| `away`, see [that](there.md) |\n| near, nearly so (hidden) | 1 | the same, "
+        "near |\n| laws/turned | 1 | a law |\n| frames: end, alive | 1 | ends |\n| known, random (hidden) boxes | 1 | "
+        "boxes "
+        "|\n## What goes wrong\n| behind | no |\n");
+    const auto says = [&](const char* case_name, const char* value) { return statement_says(lines, case_name, value); };
+    EXPECT_EQ(lines.size(), 5U);
+    EXPECT_EQ(says("far", "t"), "far | `away`, see that");
+    EXPECT_EQ(says("near", "t"), "far | `away`, see that; the same, near");
+    EXPECT_EQ(says("nearly so", "t"), says("near", "t"));
+    EXPECT_EQ(says("laws", "turned"), "a law");
+    EXPECT_EQ(says("frames", "alive"), "ends");
+    EXPECT_EQ(says("random boxes", "t"), "boxes");
+    EXPECT_EQ(says("nearly", "t"), "") << "a part of a name is no name";
+    EXPECT_EQ(says("behind", "t"), "");
+    EXPECT_EQ(says("", "t"), "");
+    EXPECT_TRUE(statement_lines("").empty());
 }
 
 TEST(Statements, have_as_many_hints_in_both_languages)

@@ -116,6 +116,7 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
         result += markup(" <span class=\"points\">{}, {}<span class=\"of\"> / {} points</span></span>",
                          check_words(check), points_text(check.score), points_text(check.max_score));
     result += "</p></header>\n";
+    if (!check.about.empty()) result += markup("<p class=\"about\"><span>Looks at:</span> {}</p>\n", check.about);
     if (!check.message.empty()) result += markup("<p class=\"message\">{}</p>\n", shown_message(check, detail));
     if (!check.common.empty()) result += markup("<p class=\"common\">{}</p>\n", sentence(check.common));
     result += simplest(check);
