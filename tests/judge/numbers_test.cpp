@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <umbral/record/not_finite.hpp>
 
 #include "make.hpp"
 
@@ -123,6 +124,22 @@ TEST(Numbers, what_is_not_finite_is_wrong_without_a_finite_error)
     }
     EXPECT_THROW((void)numbers(floats({1}), floats({nan_f}), absolute(1)), std::invalid_argument);
     EXPECT_THROW((void)numbers(floats({infinity_f}), floats({infinity_f}), absolute(1)), std::invalid_argument);
+}
+
+TEST(Numbers, infinities_may_be_right_where_drivers_record_numbers_for_them)
+{
+    const Tensor expected = floats({recordable(infinity_f), recordable(-infinity_f), recordable(nan_f), 1});
+    EXPECT_EQ(numbers(expected, expected, relative(1e-6)).right, 1);
+    const Judgement found = numbers(floats({recordable(infinity_f), recordable(infinity_f), recordable(nan_f), 1}),
+                                    expected, relative(1e-6));
+    EXPECT_EQ(found.right, 0.75);
+    EXPECT_NE(found.message.find("yours inf, expected -inf"), std::string::npos) << found.message;
+    const Judgement largest =
+        numbers(floats({std::numeric_limits<float>::max()}), floats({recordable(infinity_f)}), relative(0.25));
+    EXPECT_EQ(largest.right, 0);
+    EXPECT_NE(largest.message.find("yours 3.40282e+38, expected inf"), std::string::npos) << largest.message;
+    EXPECT_EQ(numbers(floats({5}), floats({recordable(nan_f)}), relative(0.25)).first_difference->expected, "nan");
+    EXPECT_EQ(recordable(-2.5), -2.5);
 }
 
 TEST(Numbers, presence_must_agree)

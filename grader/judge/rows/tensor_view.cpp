@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <umbral/record/not_finite.hpp>
 
 namespace umbral::grader {
 namespace {
@@ -137,8 +138,9 @@ bool all_finite(std::span<const double> values)
     return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
-std::string number_text(double value, int digits)
+std::string number_text(double recorded, int digits)
 {
+    const double value = recorded_number(recorded);
     // What is no number has no sign, and only where nothing else tells two values apart it matters that 0 has one.
     if (std::isnan(value)) return "nan";
     if (value == 0 && digits < most_digits) return "0";

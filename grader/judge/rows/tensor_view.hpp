@@ -65,7 +65,8 @@ private:
 
 [[nodiscard]] bool all_finite(std::span<const double> values);
 
-/// "3.25", "1.6e+06", "nan": in six significant digits unless said otherwise. In the most digits, 0 keeps its sign.
+/// "3.25", "1.6e+06", "nan", "inf", also of what drivers record for these (record/not_finite.hpp): in six significant
+/// digits unless said otherwise. In the most digits, 0 keeps its sign.
 inline constexpr int usual_digits = 6;
 inline constexpr int most_digits = 17;  ///< of a double
 [[nodiscard]] std::string number_text(double value, int digits = usual_digits);
