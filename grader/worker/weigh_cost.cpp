@@ -89,14 +89,26 @@ std::optional<std::string> measured_objection(Worker& worker, const Exercise& ex
                                   parameters_of<CostParameters>(check).growth, names);
 }
 
+/// The table of costs that the reference recorded under this name in the check's case.
+Cost costs(const Check& check, const RunOutcome& reference, const std::string& name)
+{
+    const Tensor* table = tensor_of(reference, name);
+    std::optional<Cost> cost = table == nullptr ? std::nullopt : cost_of(*table);
+    if (!cost)
+        throw std::runtime_error(
+            fmt::format("check '{}': the reference recorded no table of costs '{}' in its case", check.name, name));
+    return *std::move(cost);
+}
+
 std::optional<std::string> objection_to(Worker& worker, const Exercise& exercise, const Check& check,
                                         const Built& built, const CaseResult& one)
 {
     const RunOutcome& reference = worker.trusted(exercise, Answers::reference, check.case_name, one.seed);
-    const auto cost = cost_of(*tensor_of(reference, check.value));
-    if (!cost) throw std::runtime_error("check '" + check.name + "': the reference recorded no table of costs");
+    const Cost cost = costs(check, reference, check.value);
+    if (const std::string& after = parameters_of<CostParameters>(check).after; !after.empty())
+        (void)costs(check, reference, after);
     std::vector<double> sizes;
-    for (const CostRow& row : *cost) sizes.push_back(row.size);
+    for (const CostRow& row : cost) sizes.push_back(row.size);
     if (const auto row = wrong_answer(check, one.student, reference))
         return fmt::format("the answer for the size {} is not right: work that leads to no right answer earns nothing",
                            count_text(sizes[std::min(*row, sizes.size() - 1)]));

@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <any>
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
 #include <thread>
 #include <umbral/core/not_implemented_count.hpp>
 
+#include "judge/cost/cost.hpp"
 #include "manifest/units.hpp"
 #include "support/workbench.hpp"
 #include "unit/grade_unit.hpp"
@@ -134,6 +136,16 @@ private:
     std::vector<std::thread> threads_;
 };
 
+}
+
+TEST_F(CountedWork, that_is_measured_after_work_which_nobody_counts_is_a_fault_of_the_grader)
+{
+    Exercise exercise = bench.exercise("meshes/weld");
+    for (Check& check : exercise.checks)
+        if (auto* parameters = std::any_cast<CostParameters>(&check.own)) parameters->after = "nowhere";
+    const UnitResult result = grade(exercise, reference_sources(bench.tools().reference, exercise));
+    EXPECT_EQ(result.verdict, Verdict::grader_fault);
+    EXPECT_NE(messages(result).find("no table of costs 'nowhere'"), std::string::npos) << messages(result);
 }
 
 TEST_F(CountedWork, a_function_that_is_not_counted_is_refused)

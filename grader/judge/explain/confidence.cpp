@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <umbral/record/not_finite.hpp>
 
 #include "judge/explain/thresholds.hpp"
 #include "judge/rows/tensor_view.hpp"
@@ -20,8 +21,9 @@ class SharedValues {
 public:
     explicit SharedValues(Element element) : bits_(is_real(element) ? 6 : 3) {}
 
-    void add(std::size_t component, double value)
+    void add(std::size_t component, double recorded)
     {
+        const double value = recorded_number(recorded);
         const bool plain = value == 0 || std::abs(value) == 1 || !std::isfinite(value);
         if (plain)
             plain_.insert({component, std::isfinite(value) ? value : 2.0});
