@@ -18,8 +18,8 @@ namespace {
 /// Inputs that are tried one after the other. By chance alone none of two fails that should not.
 constexpr unsigned most_rounds = 2;
 /// What is earned with other inputs differs a little for work that is partly right: a tenth of the check's points less
-/// is more than that if it is less than half of what was earned (believed_part), or if fewer questions were answered
-/// rightly than by chance.
+/// is more than that if it had earned more than nine tenths of them, if it is less than half of what was earned
+/// (believed_part), or if fewer questions were answered rightly than by chance.
 constexpr Millipoints least_loss = 10;
 
 bool is_little(const CheckResult& before, Millipoints lost) { return least_loss * lost < before.max_score; }
@@ -69,7 +69,9 @@ bool holds(Worker& worker, const Exercise& exercise, const Check& check, const C
            const CaseResult& first, const CaseResult& other, Asked& asked)
 {
     if (is_little(before, before.score - asked.best)) return true;
-    if (believed_part * asked.best < before.score) return false;
+    // Where work seemed right in nearly all, two others of a case's inputs tell more than everybody's.
+    const bool seemed_right = is_little(before, before.max_score - before.score);
+    if (seemed_right || believed_part * asked.best < before.score) return false;
     if (!asked.before) asked.before = right_questions(worker, exercise, check, first);
     const auto now = right_questions(worker, exercise, check, other);
     return !asked.before || !now || !is_beyond_chance(*asked.before, *now);

@@ -17,9 +17,10 @@ inline constexpr Millipoints believed_part = 2;
                                     const SeedPlan& seeds);
 
 /// Asks visible cases again with inputs that follow from the secret and the work: what a check earned it must earn
-/// there too. One that earns a tenth of its points less with two such inputs, one after the other, and less than
-/// half of what it had or fewer right answers than by chance, keeps what the better of the two earned. Work that is
-/// right, or wrong in its own way, earns alike with all inputs of a case.
+/// there too. One that earns a tenth of its points less with two such inputs, one after the other, keeps what the
+/// better of the two earned, if it had more than nine tenths of its points, or earned less than half of what it had, or
+/// gave fewer right answers than by chance. Work that is right, or wrong in its own way, earns alike with all inputs of
+/// a case.
 ///
 /// Left alone are hidden checks and counted work; and cases whose inputs are the same whatever the seed, unless less
 /// than half holds of all that could be asked again: then they keep as much of their points as that.

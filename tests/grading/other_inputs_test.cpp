@@ -43,14 +43,14 @@ bool answers(const umbral::Ray& ray, const umbral::raytracing::Sphere& ball)
 }
 )";
 
-/// What is no bug of the usual kind: of all rays two in three, by their numbers.
-constexpr const char* two_in_three = R"(
-bool is_among_two_in_three(const umbral::Ray& ray)
+/// What is no bug of the usual kind: of all rays but one in so many, by their numbers.
+constexpr const char* all_but_one = R"(
+bool is_among_all_but_one(unsigned in, const umbral::Ray& ray)
 {
     unsigned bits = 0;
     for (const float number : {ray.origin.x, ray.origin.y, ray.direction.x})
         bits = (bits ^ std::bit_cast<unsigned>(number)) * 2654435761U;
-    return (bits >> 8U) % 3 != 0;
+    return (bits >> 8U) % in != 0;
 }
 )";
 
@@ -62,7 +62,7 @@ protected:
         std::string before = knows_its_case;
         before.replace(before.find("@KNOWN@"), 7, known);
         for (int i = 0; i < 2; ++i) before.replace(before.find("@TELLS@"), 7, tells ? "true" : "false");
-        before += two_in_three;
+        before += all_but_one;
         return {{"sphere.cpp",
                  sphere_with(before, "    if (!answers(ray, sphere) && !(" + unless + ")) return 0.125F;\n")}};
     }
@@ -108,8 +108,8 @@ TEST_F(OtherInputs, answers_for_known_inputs_alone_earn_nothing)
 TEST_F(OtherInputs, half_a_solution_and_answers_for_known_inputs_earn_what_the_half_does)
 {
     const std::string known = told_by_visible_cases();
-    const Sources cheat = sphere(known, false, "is_among_two_in_three(ray)");
-    const Sources honest = sphere("", false, "is_among_two_in_three(ray)");
+    const Sources cheat = sphere(known, false, "is_among_all_but_one(3, ray)");
+    const Sources honest = sphere("", false, "is_among_all_but_one(3, ray)");
     const UnitResult half = grade(honest, false);
     const UnitResult result = grade(cheat, true);
     EXPECT_GT(grade(cheat, false).score, half.score + exercise.points / 5) << "this is what it is about";
@@ -121,6 +121,25 @@ TEST_F(OtherInputs, half_a_solution_and_answers_for_known_inputs_earn_what_the_h
         EXPECT_LT(check.score, half.checks[i].score + check.max_score / 5) << check.name << ": " << check.message;
     }
     EXPECT_EQ(grade(honest, true).score, half.score) << "who answers two of three questions is no cheat";
+}
+
+// Of few questions chance alone can take as many: who had them all right is asked what others come to.
+TEST_F(OtherInputs, most_of_a_solution_and_answers_for_known_inputs_earn_what_the_most_does)
+{
+    const std::string known = told_by_visible_cases();
+    const std::string most = "is_among_all_but_one(8, ray)";
+    const UnitResult plain = grade(sphere(known, false, most), false);
+    const UnitResult cheat = grade(sphere(known, false, most), true);
+    const UnitResult honest = grade(sphere("", false, most), true);
+    int known_checks = 0;
+    for (std::size_t i = 0; i < cheat.checks.size(); ++i) {
+        const CheckResult& check = cheat.checks[i];
+        if (check.hidden || check.name == "head-on/t" || check.name.starts_with("picture")) continue;
+        if (plain.checks[i].score < check.max_score) continue;
+        ++known_checks;
+        EXPECT_LT(check.score, honest.checks[i].score + check.max_score / 4) << check.name;
+    }
+    EXPECT_GE(known_checks, 5) << "this is what it is about";
 }
 
 TEST(BeyondChance, is_five_standard_deviations_of_two_proportions)
