@@ -25,12 +25,11 @@ std::vector<double> centred(const Check& check, const TensorView& view, bool byt
 {
     std::vector<double> values;
     values.reserve(cells.size());
+    const bool in_range = judge_of(check).look == Look::colours && !bytes;
     double mean = 0;
     for (const std::size_t cell : cells) {
         const double value = view.cell(cell)[component];
-        values.push_back(judge_of(check).look == Look::colours && !bytes
-                             ? std::clamp(value, check.range_low, check.range_high)
-                             : value);
+        values.push_back(in_range ? std::clamp(value, check.range_low, check.range_high) : value);
         mean += values.back() / static_cast<double>(cells.size());
     }
     for (double& value : values) value -= mean;
