@@ -113,7 +113,6 @@ void record_poles(Variation& vary, Recorder& out)
     }
 }
 
-// Ten thousand steps backwards and forwards.
 void record_limits(Variation& vary, Recorder& out)
 {
     const ThreeModeSettings settings =
@@ -151,8 +150,26 @@ void record_near_and_far(Variation& vary, Recorder& out)
     }
 }
 
+// Straight above or below, the observer's place does not depend on what rounding left of such an azimuth, and what he
+// looks at next settles that too. Who takes turns off one at a time never comes there: it is asked first, to cost more.
+void record_turned_for_ever(Variation& vary, Recorder& out)
+{
+    for (const CameraMode mode : {CameraMode::examine, CameraMode::turn})
+        for (const double side : {1, -1}) {
+            const std::unique_ptr<ThreeModeCamera> camera =
+                ask_new<make_three_mode_camera>(out, "camera", varied(vary, leaning(mode)));
+            if (!camera) return;
+            ask<&ThreeModeCamera::move_xy>(out, *camera, side * 1e18, side * 10);
+            for (const ThreeModeStep& step : {look_toward({side, 0.5, 3}), move_xy(0.25, -0.5)}) {
+                apply(out, *camera, step);
+                record(out, *camera);
+            }
+        }
+}
+
 void record_nonsense(Variation& vary, Recorder& out)
 {
+    record_turned_for_ever(vary, out);
     for (const CameraMode mode : {CameraMode::examine, CameraMode::move, CameraMode::turn})
         record(out, varied(vary, leaning(mode)),
                {move_xy(0.5, 0.25), move_xy(not_a_number, 1), move_xy(1, not_a_number), move_xy(infinity, 1),

@@ -101,18 +101,33 @@ void record_closed(Random& random, Recorder& out)
     log.finish();
 }
 
-// Two discs, of whose spokes each one of the first has the same number low * factor + high as one of the second, in 64
-// or in 32 bits.
-IndexedMesh discs_with_equal_keys(std::uint32_t factor, Variation& vary)
+/// How two vertices are made one number: this one times a factor plus the other.
+enum class Times { smaller, larger };
+
+// Two discs, of whose spokes each one of the first has the same number as one of the second, in 64 or in 32 bits. A
+// factor of 0 stands for the number of vertices.
+IndexedMesh discs_with_equal_keys(Times times, std::uint32_t factor, Variation& vary)
 {
     constexpr std::uint32_t slices = 16;
-    const std::uint32_t middle = vary.near(300U, 200U);
-    const std::uint32_t rim = vary.near(120'000U, 5'000U);
-    IndexedMesh mesh{std::vector<glm::vec3>(rim + slices), {}};
-    std::uint32_t up = 1;
-    while (up * factor > 100'000) ++up;  // modulo 2 to the power of 32
+    constexpr std::uint32_t most_down = 100'000;
+    // So many vertices, 153,000 to 196,000, that `up` times as many are 2 to the power of 32 and less than `up` more.
+    std::uint32_t up = vary.near(25'000U, 3'000U);
+    const auto count = static_cast<std::uint32_t>((std::uint64_t{1} << 32U) / up + 1);
+    const std::uint32_t few = vary.near(300U, 200U);
+    const std::uint32_t many = vary.near(120'000U, 5'000U);
+    if (factor == 0) {
+        factor = count;
+    } else {
+        up = 1;
+        while (up * factor > most_down) ++up;  // modulo 2 to the power of 32
+    }
     const std::uint32_t down = up * factor;
-    for (const glm::uvec2 disc : {glm::uvec2(middle, rim), glm::uvec2(middle + up, rim - down)}) {
+
+    // A disc's middle is the smaller vertex of its spokes.
+    const glm::uvec2 first = times == Times::smaller ? glm::uvec2(few, many) : glm::uvec2(most_down + few, many);
+    const glm::uvec2 second = times == Times::smaller ? first + glm::uvec2(up, -down) : first + glm::uvec2(-down, up);
+    IndexedMesh mesh{std::vector<glm::vec3>(count), {}};
+    for (const glm::uvec2& disc : {first, second}) {
         for (std::uint32_t slice = 0; slice < slices; ++slice)
             mesh.triangles.emplace_back(disc.x, disc.y + slice, disc.y + (slice + 1) % slices);
     }
@@ -124,8 +139,12 @@ void record_large_indices(Variation& vary, Recorder& out)
     EdgeLog log(out, "edges");
     for (const std::uint32_t slices : {vary.one_of(5U, std::array{4U, 6U, 7U}), vary.near(40U, 9U)})
         log.add<edge_table>("three cones", cones_with_large_indices(slices));
-    for (const std::uint32_t factor : {1000U, 1024U, 4096U, 5000U, 10'000U, 16'384U, 65'536U, 100'000U, 1'000'000U})
-        log.add<edge_table>("discs, factor " + std::to_string(factor), discs_with_equal_keys(factor, vary));
+    for (const std::uint32_t factor :
+         {0U, 1000U, 1024U, 4096U, 5000U, 10'000U, 16'384U, 65'536U, 100'000U, 1'000'000U}) {
+        const std::string name = factor == 0 ? "the number of vertices" : std::to_string(factor);
+        log.add<edge_table>("discs, factor " + name, discs_with_equal_keys(Times::smaller, factor, vary));
+        log.add<edge_table>("discs, larger vertex, factor " + name, discs_with_equal_keys(Times::larger, factor, vary));
+    }
     log.finish();
 }
 

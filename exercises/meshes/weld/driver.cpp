@@ -95,13 +95,26 @@ void record_special(Case& c, Recorder& out)
 
 void record_isolated(Random& random, Recorder& out)
 {
-    for (const IndexedMesh& mesh : {IndexedMesh{}, with_lonely_vertices({}, 3), cube(), shuffled(torus(5, 4), random),
-                                    with_lonely_vertices(hills(4, 3, random), 3), with_coinciding_corners(random)}) {
+    for (const IndexedMesh& mesh :
+         {IndexedMesh{}, with_lonely_vertices({}, 3), cube(), shuffled(torus(5, 4), random),
+          with_lonely_vertices(hills(4, 3, random), 3), with_coinciding_corners(random), of_few_vertices(60, random)}) {
         const Soup soup = ask<isolated_triangles>(out, mesh);
         for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i)
             out.append("corners", i < soup.size() ? soup[i] : glm::vec3(0));
         out.append("sizes", static_cast<float>(soup.size()));
     }
+}
+
+// Only the last triangles are recorded: the table tells whether the numbers of vertices are right to the end.
+void record_many_vertices(Random& random, Recorder& out)
+{
+    constexpr std::size_t count = 64;
+    const Soup soup = soup_of_many_places(count, random);
+    const IndexedMesh mesh = ask<weld>(out, soup);
+    out.columns("last triangles", "first vertex, second, third");
+    const std::size_t first = soup.size() / 3 - count;
+    for (std::size_t i = first; i < first + count; ++i)
+        out.append("last triangles", i < mesh.triangles.size() ? glm::vec3(mesh.triangles[i]) : glm::vec3(-1));
 }
 
 /// How many vertices there are, and how many corners of the triangles lie where they should.
@@ -174,6 +187,7 @@ const Driver driver = {
     {"close places", record_special<soup_of_close_places>},
     {"not a number", record_special<soup_of_broken_corners>},
     {"isolated", [](Case& c, Recorder& out) { record_isolated(c.random, out); }},
+    {"many vertices", [](Case& c, Recorder& out) { record_many_vertices(c.random, out); }},
     {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_before_and_after(c.vary, out)); }},
 };

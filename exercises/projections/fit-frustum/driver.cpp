@@ -98,33 +98,36 @@ void record_random(Random& random, Recorder& out)
 }
 
 // Something that fits, and something that does not, in random order: a picture without pixels, a body without a size,
-// an eye within it, no angle.
+// an eye within it, no angle; and NaN, of which every comparison is false, whether it asks for good or for bad.
 void record_refused(Random& random, Recorder& out)
 {
-    for (int i = 0; i < 32; ++i) {
-        const int fault = i % 8;
+    constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+    for (int i = 0; i < 36; ++i) {
+        const int fault = i % 9;
+        const bool early = i < 18;
         // What is tiny has a size too.
         const float size = std::pow(10.0F, random.uniform(-7, 2));
         const float distance = size * random.uniform(1.1F, 5);
-        const float inside = i < 16 ? size : size * random.uniform(-1, 0.9F);
+        const float inside = early ? size : size * random.uniform(-1, 0.9F);
         const bool first = random.below(2) == 1;
         for (const bool is_bad : {first, !first}) {
             const auto bad = [&](int which) { return is_bad && fault == which; };
-            const int none = i < 16 ? 0 : -100;
+            const bool no_size = bad(8) && i % 2 == 0;
+            const bool no_place = bad(8) && i % 2 == 1;
+            const int none = early ? 0 : -100;
             const PictureSize picture{bad(0) ? none : 200, bad(1) ? none : 100};
-            const float asked = bad(2) ? 0 : (bad(3) ? -size : size);
-            if (fault <= 4)
-                record_refusal(out, "cube refused",
-                               [&] { return ask<fit_cube>(out, asked, 0.5F * (bad(4) ? inside : distance), picture); });
-            if (fault <= 3 || fault == 5)
-                record_refusal(out, "sphere refused",
-                               [&] { return ask<fit_sphere>(out, asked, bad(5) ? inside : distance, picture); });
+            const float asked = bad(2) ? 0 : bad(3) ? -size : no_size ? not_a_number : size;
+            const float from = bad(4) || bad(5) ? inside : no_place ? not_a_number : distance;
+            if (fault <= 4 || fault == 8)
+                record_refusal(out, "cube refused", [&] { return ask<fit_cube>(out, asked, 0.5F * from, picture); });
+            if (fault <= 3 || fault == 5 || fault == 8)
+                record_refusal(out, "sphere refused", [&] { return ask<fit_sphere>(out, asked, from, picture); });
             if (fault <= 3 || fault >= 6)
                 record_refusal(out, "angle refused", [&] {
                     // Next to nothing, and nearly 180 degrees, are angles too.
-                    const float good = i < 16 ? 50.0F : fault % 2 == 0 ? 179.99995F : 5e-5F;
-                    return ask<fit_cube_to_fovy>(out, glm::vec3(1), asked, bad(6) ? 180.0F : (bad(7) ? 0.0F : good),
-                                                 picture);
+                    const float good = early ? 50.0F : fault % 2 == 0 ? 179.99995F : 5e-5F;
+                    const float angle = bad(6) ? 180.0F : bad(7) ? 0.0F : no_place ? not_a_number : good;
+                    return ask<fit_cube_to_fovy>(out, glm::vec3(1), asked, angle, picture);
                 });
         }
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "soups.hpp"
 
 /// Rays and boxes of which exact numbers decide.
@@ -48,6 +50,47 @@ inline std::vector<BoxShot> along_the_axes(Random& random)
             };
             add_pair(shots, changed(hit), changed(miss), random);
         }
+    return shots;
+}
+
+/// Boxes that a ray touches in one point of an edge or in a corner, all in whole numbers and at a whole t, and the same
+/// ray where it leaves one t before it enters. Quotients are exact there; products with a rounded reciprocal are not:
+/// 49 (1/49) < 1. For half of the pairs such a number is chosen for the component along which the ray leaves.
+inline std::vector<BoxShot> touching(Random& random)
+{
+    constexpr std::array unlucky{49, 98, 103, 107, 161, 187, 196, 197};
+    std::vector<BoxShot> shots;
+    for (int i = 0; i < 96; ++i) {
+        const int leaves = static_cast<int>(random.below(3));
+        const int enters = (leaves + 1 + static_cast<int>(random.below(2))) % 3;
+        const int other = 3 - leaves - enters;
+        const auto whole = [&](int least, int most) {
+            return least + static_cast<int>(random.below(static_cast<std::uint32_t>(most - least + 1)));
+        };
+        glm::ivec3 step{whole(1, 60), whole(1, 60), whole(1, 60)};
+        if (i % 2 == 0) {
+            step = {1 << whole(0, 6), 1 << whole(0, 6), 1 << whole(0, 6)};
+            step[leaves] = unlucky[random.below(unlucky.size())];
+        }
+        for (int axis = 0; axis < 3; ++axis)
+            if (random.below(2) == 0) step[axis] = -step[axis];
+        const int t = i % 2 == 0 ? 1 << whole(0, 3) : whole(1, 9);
+        const glm::ivec3 point{whole(-50, 50), whole(-50, 50), whole(-50, 50)};
+        // Back from where the ray leaves, on from where it enters: it has one point in common with such a box.
+        glm::ivec3 far = point;
+        far[leaves] -= glm::sign(step[leaves]) * whole(1, 20);
+        far[enters] += glm::sign(step[enters]) * whole(1, 20);
+        // At a corner, or within an edge.
+        glm::ivec3 near = point;
+        far[other] += glm::sign(step[other]) * whole(1, 20);
+        if (i % 4 < 2) near[other] -= glm::sign(step[other]) * whole(1, 20);
+        const BoundingBox box{glm::vec3(min(near, far)), glm::vec3(max(near, far))};
+        const glm::ivec3 origin = point - t * step;
+        BoxShot hit{Ray{glm::vec3(origin), glm::vec3(step)}, box};
+        BoxShot miss = hit;
+        miss.ray.origin[leaves] += static_cast<float>(step[leaves]);
+        add_pair(shots, hit, miss, random);
+    }
     return shots;
 }
 

@@ -144,7 +144,7 @@ void odd_triangles(Recorder& out, Random& random)
 }
 
 // Of several triangles at one distance the one of the least index counts: twins, and tiles that share an edge or a
-// corner, all exact.
+// corner. Places are exact, and so is t in one of four: elsewhere a tile begins beyond its own t, which was rounded.
 void ties(Recorder& out, Random& random)
 {
     Soup tiles = floor_of_tiles(8);
@@ -154,7 +154,8 @@ void ties(Recorder& out, Random& random)
     for (int i = 0; i < 200; ++i) {
         const glm::vec2 place(static_cast<float>(random.below(16)) / 2, static_cast<float>(random.below(16)) / 2);
         const float side = random.below(2) == 0 ? 1 : -1;
-        record_answer(out, hierarchy, {{place, 3 * side}, {0, 0, -side}});
+        const float length = random.uniform(0.25F, 3);
+        record_answer(out, hierarchy, {{place, 3 * side}, {0, 0, i % 4 == 0 ? -side : -side * length}});
     }
 }
 
@@ -248,6 +249,7 @@ const Driver driver = {
     {"boxes", [](Case& c, Recorder& out) { record_boxes(out, c.random); }},
     {"rays and boxes", [](Case& c, Recorder& out) { record(out, random_boxes(c.random)); }},
     {"along the axes", [](Case& c, Recorder& out) { record(out, along_the_axes(c.random)); }},
+    {"touching", [](Case& c, Recorder& out) { record(out, touching(c.random)); }},
     {"few", [](Case& c, Recorder& out) { few(out, c.random); }},
     {"random", [](Case& c, Recorder& out) { random_rays(out, c.random); }},
     {"many", [](Case& c, Recorder& out) { many(out, c.random); }},

@@ -31,7 +31,7 @@ struct ThreeModeSettings {
 /// at a + n with n = r (cos β sin α, sin β, cos β cos α). The camera's axes in the world are x = (cos α, 0, -sin α),
 /// z = n / r and y = z × x, at the poles too. **β stays within ±π/2** and **r within 1.001 min_distance and
 /// max_distance**, in all that follows: what goes beyond is lost, so that the way back begins at once. Calls with a NaN
-/// or an infinity are ignored as a whole.
+/// or an infinity are ignored as a whole; all others count and end at once, however large their numbers are.
 class ThreeModeCamera {
 public:
     virtual ~ThreeModeCamera() = default;

@@ -20,13 +20,15 @@ using Mipmap = std::vector<Grid<glm::vec4>>;
 
 /// The level for a surface at a distance, where `near` > 0 is the distance at which a texel is as large as a pixel: 0
 /// up to there, and 1 more with each doubling, log2(distance / near). Not limited by the number of levels. Finite
-/// positive distances; right to 1 ulp or 1e-15, also where the quotient overflows. Course: slides F3, "acceso".
+/// positive distances, also where the quotient overflows. Right to 1e-6, or 2 ulp of the level, log2(distance) or
+/// log2(near): a difference of logarithms in float will do. Guarantee of the reference: 1 ulp or 1e-15. Course: slides
+/// F3, "acceso".
 [[nodiscard]] float level_at_distance(float distance, float near);
 
 /// The level for a pixel from the derivatives of (u, v) by the pixel's x and y, for a texture of `size` columns and
 /// rows: the log2 of the longer of the two steps, measured in texels (u times the columns, v times the rows), but at
-/// least 0, also where both steps are 0. Not limited by the number of levels. Finite derivatives; right to 1 ulp or
-/// 1e-15, also where squares overflow. This is OpenGL's choice.
+/// least 0, also where both steps are 0. Not limited by the number of levels. Finite derivatives, also where squares
+/// overflow. Right to 1e-6 or 2 ulp. Guarantee of the reference: 1 ulp or 1e-15. This is OpenGL's choice.
 [[nodiscard]] float level_of_step(glm::vec2 by_x, glm::vec2 by_y, glm::ivec2 size);
 
 /// The colour at (u, v), repeated, in a mipmap of at least one level: bilinear lookups in the two levels round `level`,

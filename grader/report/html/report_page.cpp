@@ -65,7 +65,7 @@ Markup summary(const SubmissionResult& submission, const ReportOptions& options)
                      points_text(submission.score), points_text(submission.max_score),
                      points_bar(submission.score, submission.max_score, "total"), headline(submission),
                      hidden_fails && options.edition == Edition::student
-                         ? " Hidden checks fail too: of those you see the name."
+                         ? " Hidden checks fail too: of those you see what they look at."
                          : "");
     if (!submission.units.empty())
         result += scrolling("Units", markup("<table class=\"units\"><thead><tr><th scope=\"col\">Unit</th><th "
