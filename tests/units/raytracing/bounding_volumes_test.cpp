@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <raytracing/bounding-volumes/box_shots.hpp>
 #include <raytracing/bounding-volumes/soups.hpp>
 
 using namespace umbral;
@@ -85,6 +86,23 @@ TEST(BoundingVolumes, no_ray_leaves_a_closed_body)
     }
 }
 
+// Flat, so that each box begins at its tiles' t; where t was rounded down, beyond it.
+TEST(BoundingVolumes, of_triangles_at_one_rounded_t_the_least_index_counts)
+{
+    constexpr std::uint64_t seed = 62008;
+    Random random(seed);
+    Soup tiles = floor_of_tiles(8);
+    tiles.insert(tiles.end(), tiles.begin(), tiles.end());
+    shuffle(tiles, random);
+    const auto hierarchy = make_triangle_hierarchy(tiles);
+    for (int i = 0; i < 5000; ++i) {
+        const glm::vec2 place(static_cast<float>(random.below(16)) / 2, static_cast<float>(random.below(16)) / 2);
+        const Ray ray{{place, random.uniform(1, 9)}, {0, 0, -random.uniform(0.25F, 3)}};
+        ASSERT_EQ(text_of(hierarchy->first_hit(ray)), text_of(by_a_loop(tiles, ray)))
+            << "seed " << seed << ", ray " << i;
+    }
+}
+
 // Boxes of no thickness that hold a point of the ray exactly: small whole numbers, with t a power of two.
 TEST(BoundingVolumes, a_box_that_holds_a_point_of_the_ray_is_met)
 {
@@ -145,4 +163,15 @@ TEST(BoundingVolumeInputs, pairs_are_one_that_meets_and_one_that_does_not)
     for (std::size_t i = 0; i < shots.size(); i += 2)
         ASSERT_NE(meets_box(shots[i].ray, shots[i].box), meets_box(shots[i + 1].ray, shots[i + 1].box))
             << "pair " << i / 2;
+}
+
+TEST(BoundingVolumeInputs, of_two_boxes_the_one_that_is_touched_is_met)
+{
+    Random random(62009);
+    for (int i = 0; i < 100; ++i) {
+        const std::vector<BoxShot> shots = touching(random);
+        for (std::size_t k = 0; k < shots.size(); k += 2)
+            ASSERT_NE(meets_box(shots[k].ray, shots[k].box), meets_box(shots[k + 1].ray, shots[k + 1].box))
+                << "pair " << k / 2;
+    }
 }
