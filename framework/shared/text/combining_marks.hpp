@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 namespace umbral {
 
 /// Characters from `first` to `last`.
@@ -11,8 +9,9 @@ struct CharacterRange {
 };
 
 /// What stands on, in or under the letter before it: Unicode 14's general categories Mn and Me, in order, of all
-/// scripts. Between two of them may lie characters that are not assigned.
-inline constexpr std::array combining_marks = {
+/// scripts. Between two of them may lie characters that are not assigned. No std::array: to count them all, clang++
+/// would have to nest deeper than it does.
+inline constexpr CharacterRange combining_marks[] = {
     CharacterRange{0x300, 0x36F},     CharacterRange{0x483, 0x489},     CharacterRange{0x591, 0x5BD},
     CharacterRange{0x5BF, 0x5BF},     CharacterRange{0x5C1, 0x5C2},     CharacterRange{0x5C4, 0x5C5},
     CharacterRange{0x5C7, 0x5C7},     CharacterRange{0x610, 0x61A},     CharacterRange{0x64B, 0x65F},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "text/combining_marks.hpp"
 
@@ -15,8 +16,7 @@ constexpr std::array wide = {
     CharacterRange{0xFF00, 0xFF60},   CharacterRange{0xFFE0, 0xFFE6},   CharacterRange{0x1F300, 0x1F64F},
     CharacterRange{0x1F680, 0x1F6FF}, CharacterRange{0x1F900, 0x1F9FF}, CharacterRange{0x20000, 0x3FFFD}};
 
-template <std::size_t Size>
-bool is_in(const std::array<CharacterRange, Size>& ranges, char32_t code)
+bool is_in(std::span<const CharacterRange> ranges, char32_t code)
 {
     const auto found = std::ranges::lower_bound(ranges, code, {}, &CharacterRange::last);
     return found != ranges.end() && code >= found->first;
