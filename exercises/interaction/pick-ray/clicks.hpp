@@ -84,6 +84,34 @@ inline std::vector<Click> clicks_at_borders(Random& random, int count)
     return clicks;
 }
 
+/// `count` pairs at whole places of the cursor, as many systems tell them, which are borders between pixels on screens
+/// of scale 1, 2, 3, and every second one of scale 1.5. Sizes are such that cursor / window * framebuffer, which rounds
+/// before it multiplies, comes to lie before the border, in the wrong pixel; cursor * framebuffer, the scale and the
+/// size of a pixel are exact, or lead to the border all the same.
+inline std::vector<Click> clicks_at_whole_places(Random& random, int count)
+{
+    constexpr std::array scales = {2, 4, 6, 3};  // in halves
+    const auto place = [&](int window, int half_scale) {
+        const int first = random_between(0, window / 2 - 1, random);
+        for (int i = 0; i < window / 2; ++i) {
+            const double cursor = 2.0 * ((first + i) % (window / 2));
+            if (cursor / window * (window * half_scale / 2) < cursor * half_scale / 2) return cursor;
+        }
+        return 2.0 * first;
+    };
+    std::vector<Click> clicks;
+    for (int i = 0; i < count; ++i) {
+        const int half_scale = scales.at(static_cast<std::size_t>(i) % scales.size());
+        const glm::ivec2 window(2 * random_between(300, 900, random), 2 * random_between(200, 600, random));
+        const Click inside{{place(window.x, half_scale), place(window.y, half_scale)}, window, window * half_scale / 2};
+        Click outside = inside;
+        const int axis = i / 4 % 2;
+        outside.cursor[axis] = i % 2 == 0 ? window[axis] : -1;
+        add_pair(clicks, inside, outside, random);
+    }
+    return clicks;
+}
+
 /// `count` pairs a millionth to a ten-thousandth of a pixel beside borders, on large screens of all scales: before the
 /// border and behind it, between two pixels and at the window's four sides.
 inline std::vector<Click> clicks_beside_borders(Random& random, int count)

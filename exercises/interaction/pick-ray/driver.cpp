@@ -35,6 +35,7 @@ void record_borders(Recorder& out, Random& random)
 {
     record_clicks(out, clicks_at_borders(random, 48));
     record_clicks(out, clicks_beside_borders(random, 32));
+    record_clicks(out, clicks_at_whole_places(random, 40));
 }
 
 // The course's view, and others that a hand can work out: pictures of few pixels, cameras along the axes.

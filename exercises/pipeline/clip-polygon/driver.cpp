@@ -97,6 +97,9 @@ std::vector<Task> concave()
         // Notches that end on a side of the window: that corner stays, though both beside it lie outside.
         {{{4, 1}, {12, 1}, {8, 4}, {12, 7}, {4, 7}}, square},
         {{{1, 3}, {7, 3}, {7, 11}, {5, 8}, {4, 11}, {3, 8}, {1, 12}}, square},
+        // Hooks that begin and end in one corner on a side of the window: their bridge leads from there and back.
+        {{{3, 4}, {8, 5}, {12, 5}, {12, 12}, {4, 12}, {4, 13}, {13, 13}, {13, 4}, {8, 5}, {3, 6}}, square},
+        {{{2, 5}, {3, 0}, {3, -2}, {10, -2}, {10, 6}, {11, 6}, {11, -3}, {2, -3}, {3, 0}, {5, 3}}, square},
     };
     Polygon window = square;
     for (std::size_t first = 0; first < window.size(); ++first) {
@@ -177,6 +180,16 @@ std::vector<Task> borders()
         {{{8, 2}, {8, 4}, {8, 6}, {4, 3}}, square},  // … also on a side of the window
         {{{1, 1}, {7, 2}, {5, 6}, {2, nan}}, square},
         {{{1, 1}, {7, 2}, {3, 5}}, {{0, 0}, {8, 0}, {8, 8}, {0, nan}}},
+        // Three corners or more, until those that come twice in a row count once: nothing.
+        {{{1, 1}, {1, 1}, {6, 2}}, square},
+        {{{1, 1}, {6, 2}, {1, 1}}, square},
+        {{{3, 5}, {3, 5}, {3, 5}}, square},
+        {{{5, 2}, {2, 4}, {2, 4}, {5, 2}}, square},
+        {{{8, 3}, {8, 3}, {12, 6}, {8, 5}}, square},
+        {{{12, 9}, {8, 8}, {8, 8}, {8, 8}, {9, 12}}, square},  // … in a corner of the window, from outside
+        // A corner so little inside that the two new ones are the same floats, and both are its y.
+        {{{8 - 0x1p-21F, 6}, {12, 5}, {12, 7}}, square},
+        {{{3, 8 - 0x1p-21F}, {4, 12}, {2, 12}}, square},
     };
 }
 
@@ -188,6 +201,16 @@ void repeat_a_corner(Random& random, Polygon& polygon)
         polygon.push_back(polygon.front());
     else
         polygon.insert(polygon.begin() + i, polygon[i]);
+}
+
+/// Two corners, one of them twice or both: whoever counts before dropping takes them for a polygon.
+Polygon two_corners(Random& random, const Polygon& window)
+{
+    const glm::vec2 one = (window[0] + window[1] + window[2]) / 3.0F;
+    const glm::vec2 other = glm::mix(one, window[random.below(3)], random.uniform(0.2F, 0.7F));
+    Polygon polygon{one, one, other, other};
+    if (random.below(2) == 0) polygon.erase(polygon.begin() + random.below(4));
+    return polygon;
 }
 
 /// A number for which nothing is left.
@@ -209,6 +232,7 @@ std::vector<Task> random_tasks(Random& random, int count, bool with_concave)
         if (i % 6 == 3) repeat_a_corner(random, polygon);
         const std::uint32_t sides = 3 + random.below(i % 8 == 7 ? 14 : 5);
         tasks.push_back({std::move(polygon), random_window(random, sides), random_unit(random, -24, 12)});
+        if (i % 8 == 1) tasks.back().polygon = two_corners(random, tasks.back().window);
         if (i % 12 == 5) spoil(random, i % 24 == 5 ? tasks.back().polygon : tasks.back().window);
     }
     return tasks;

@@ -2,6 +2,7 @@
 #include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
+#include <umbral/record/not_finite.hpp>
 
 #include "box_shots.hpp"
 #include "knot.hpp"
@@ -33,20 +34,12 @@ void record(Recorder& out, const Soup& soup, int rays, float distance, Random& r
     for (int i = 0; i < rays; ++i) record_answer(out, hierarchy, ray_into(soup, distance, random));
 }
 
-// Infinities as numbers that no triangle here has: what is not finite counts as wrong.
-glm::vec3 finite(glm::vec3 v)
-{
-    for (int i = 0; i < 3; ++i)
-        if (std::isinf(v[i])) v[i] = std::copysign(3e38F, v[i]);
-    return v;
-}
-
 void record_boxes(Recorder& out, Random& random)
 {
     const auto ask_for = [&](const Soup& soup) {
         const BoundingBox box = ask<bounding_box>(out, std::span<const Triangle>(soup));
-        out.append("low", finite(box.low));
-        out.append("high", finite(box.high));
+        out.append("low", recordable(box.low));
+        out.append("high", recordable(box.high));
     };
     ask_for({{{1, 2, 3}, {4, 0, 6}, {-7, 8, 9}}});
     ask_for({{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}}, {{-1, 5, 2}, {0, 0, 0}, {2, 2, 7}}});

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <glm/glm.hpp>
 #include <limits>
 
 namespace umbral {
@@ -20,6 +21,13 @@ template <std::floating_point Number>
 {
     if (std::isnan(number)) return Number{recorded_nan};
     return std::isinf(number) ? std::copysign(Number{recorded_infinity}, number) : number;
+}
+
+template <glm::length_t Size, class Number, glm::qualifier Precision>
+[[nodiscard]] glm::vec<Size, Number, Precision> recordable(glm::vec<Size, Number, Precision> vector)
+{
+    for (glm::length_t i = 0; i < Size; ++i) vector[i] = recordable(vector[i]);
+    return vector;
 }
 
 /// The other way round: what a recorded number stands for.
