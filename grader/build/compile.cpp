@@ -165,11 +165,18 @@ bool ran_out_of_processor_time(const ConfinedResult& result)
            result.output.find("CPU time limit exceeded signal") != std::string::npos;
 }
 
-/// Why the compiler was stopped for the time that it took.
-std::string out_of_time(const Toolchain& tools)
+/// Was the compiler given less than it may take at most, which is all that is left?
+bool was_given_the_rest(const Toolchain& tools, const ConfinedCommand& command)
 {
-    return has_no_time(tools) ? no_time_to_compile()
-                              : fmt::format("the compiler was stopped after {:g} s\n", tools.compile_seconds);
+    return command.cpu_seconds < tools.compile_seconds;
+}
+
+/// Why the compiler was stopped for the time that it took.
+std::string out_of_time(const Toolchain& tools, const ConfinedCommand& command)
+{
+    return was_given_the_rest(tools, command) || has_no_time(tools)
+               ? no_time_to_compile()
+               : fmt::format("the compiler was stopped after {:g} s\n", tools.compile_seconds);
 }
 
 /// Looks through the files as the compiler sees them. Built only says that nothing is in the way. Files that cannot be
@@ -181,7 +188,8 @@ Compilation look_through(const Toolchain& tools, const Exercise& exercise, const
     command.stop_at_limit = true;
     const ConfinedResult result = run_compiler(tools, command);
     // What the files say stands in the output: only the clock is believed.
-    if (result.stopped == Stopped::out_of_processor_time) return {Outcome::too_expensive, {}, out_of_time(tools)};
+    if (result.stopped == Stopped::out_of_processor_time)
+        return {Outcome::too_expensive, {}, out_of_time(tools, command)};
     if (result.stopped == Stopped::too_much_output)
         return {Outcome::refused_by_compiler, {}, "your files include more text than the compiler is given"};
     if (result.exit_status != 0)
@@ -201,9 +209,10 @@ std::string warnings_of(const std::string& output)
     return kept;
 }
 
-std::string diagnostics_of(const Toolchain& tools, const ConfinedResult& result)
+std::string diagnostics_of(const Toolchain& tools, const ConfinedCommand& command, const ConfinedResult& result)
 {
-    if (ran_out_of_processor_time(result) || result.stopped == Stopped::out_of_wall_time) return out_of_time(tools);
+    if (ran_out_of_processor_time(result) || result.stopped == Stopped::out_of_wall_time)
+        return out_of_time(tools, command);
     if (result.stopped == Stopped::too_much_disk)
         return fmt::format("compiling your files takes more than {} MiB on the disk\n", caps::build_folder >> 20U);
     std::string text = first_errors(result.output, 24);
@@ -236,7 +245,11 @@ Compilation library_of(const Toolchain& tools, const Exercise& exercise, const S
           std::string("-Wl,--no-fork"), std::string("-Wl,-z,lazy"), std::string("-o"), library_name})
         task.push_back(word);
     if (has_no_time(tools)) return no_time;
-    ConfinedResult result = run_compiler(tools, compiler_command(tools, exercise, files, work, task));
+    const ConfinedCommand command = compiler_command(tools, exercise, files, work, task);
+    ConfinedResult result = run_compiler(tools, command);
+    // On a busy machine less may be counted of a process than it was stopped for.
+    if (tools.budget && was_given_the_rest(tools, command) && ran_out_of_processor_time(result))
+        tools.budget->take(tools.budget->left());
     if (result.exit_status == confinement_failed)
         throw std::runtime_error("the compiler cannot be run: " + result.output);
     const fs::path library = work / library_name;
@@ -244,7 +257,7 @@ Compilation library_of(const Toolchain& tools, const Exercise& exercise, const S
         result.output = without_our_paths(std::move(result.output), tools, work);
         compilation.outcome = outcome_of(result, files);
         compilation.lacks_machine = tools_are_in_trouble(result.output);
-        compilation.diagnostics = diagnostics_of(tools, result);
+        compilation.diagnostics = diagnostics_of(tools, command, result);
         return compilation;
     }
     if (fs::file_size(library) > caps::library) {

@@ -1,5 +1,6 @@
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
+#include <umbral/record/not_finite.hpp>
 
 #include "clicks.hpp"
 #include "panel.hpp"
@@ -18,8 +19,7 @@ void record_ray(Recorder& out, const PickView& view, const glm::ivec2& pixel)
     out.append("origin", ray.origin);
     out.append("direction", ray.direction);
     out.append("t_min", ray.t_min);
-    // Infinity is no number that can be near another one.
-    out.append("t_max", ray.t_max == endless ? std::nullopt : std::optional(ray.t_max));
+    out.append("t_max", recordable(ray.t_max));
 }
 
 void record_clicks(Recorder& out, const std::vector<Click>& clicks)

@@ -5,6 +5,7 @@
 #include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
+#include <umbral/record/not_finite.hpp>
 
 #include "../show.hpp"
 #include "soups.hpp"
@@ -13,12 +14,6 @@ namespace umbral {
 namespace {
 
 using namespace meshes;
-
-/// What cannot be compared becomes a number that no position here has: NaN, and the two infinities.
-float comparable(float number)
-{
-    return std::isnan(number) ? 3e38F : std::isinf(number) ? std::copysign(2e38F, number) : number;
-}
 
 /// Rows are the soup's number and a position, or three vertices; more rows than corners are never right.
 class MeshLog {
@@ -34,7 +29,7 @@ public:
         const auto code = static_cast<float>(count_);
         for (std::size_t i = 0; i < std::min(mesh.positions.size(), soup.size() + 10); ++i) {
             const glm::vec3& p = mesh.positions[i];
-            out_->append("vertices", std::array{code, comparable(p.x), comparable(p.y), comparable(p.z)});
+            out_->append("vertices", std::array{code, recordable(p.x), recordable(p.y), recordable(p.z)});
         }
         for (std::size_t i = 0; i < std::min(mesh.triangles.size(), soup.size() + 10); ++i) {
             const glm::vec3 t(mesh.triangles[i]);
