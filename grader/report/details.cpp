@@ -148,12 +148,14 @@ void add_others(Block& block, const UnitResult& unit, const std::vector<const Ch
     for (std::size_t i = 1; i < failing.size(); ++i)
         others += fmt::format("{}{}", i == 1 ? "" : ", ", failing[i]->name);
     if (!others.empty()) block.sentence("also", others + " not right yet");
-    bool first = true;
-    for (const CheckResult& check : unit.checks) {
-        if (!check.hidden || !fails(check)) continue;
-        block.sentence(first ? "hidden" : "", check.name + ": " + words_and_points(check));
-        if (!check.about.empty()) block.sentence("", "It looks at: " + check.about);
-        first = false;
+    std::vector<const CheckResult*> hidden;
+    for (const CheckResult& check : unit.checks)
+        if (check.hidden && fails(check)) hidden.push_back(&check);
+    for (std::size_t i = 0; i < hidden.size(); ++i) {
+        block.sentence(i == 0 ? "hidden" : "", hidden[i]->name + ": " + words_and_points(*hidden[i]));
+        // Once for all that a line of the statement is about.
+        const bool last = i + 1 == hidden.size() || hidden[i + 1]->about != hidden[i]->about;
+        if (last && !hidden[i]->about.empty()) block.sentence("", "Looks at: " + hidden[i]->about);
     }
 }
 
@@ -184,6 +186,8 @@ std::vector<std::string> next_steps(const UnitResult& unit, const CheckResult* f
         case Verdict::forbidden: steps.push_back(fmt::format("umbral check {}", id)); break;
         case Verdict::not_implemented: break;
         default: {
+            // To stop at a call that is answered rightly leads nowhere.
+            if (failing == nullptr && std::ranges::any_of(unit.checks, fails)) break;
             const std::string name =
                 failing != nullptr ? shell_word(failing->name.substr(0, failing->name.rfind('/'))) : "";
             steps.push_back(fmt::format("umbral debug {}{}{}{}", id, name.empty() ? "" : " ", name,
@@ -227,8 +231,10 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint)
     const bool ran = !never_ran(unit.verdict);
     if (ran && shown != nullptr) add_first_failing(block, *shown, unit.message, paint);
     if (shown == nullptr && hidden_fails)
-        block.sentence("check", "Every check that you can see is right, but a hidden one is not. Its inputs are others of the kind "
-                       "that is told below.");
+        block.sentence(
+            "check",
+            "Every check that you can see is right, but a hidden one is not. Its inputs are others of the kind "
+            "that is told below.");
     if (ran) add_pattern(block, unit, failing);
     add_reasons(block, unit);
     if (ran) add_others(block, unit, failing);

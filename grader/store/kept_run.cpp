@@ -14,7 +14,7 @@
 namespace umbral::grader {
 namespace {
 
-// A file is 64 digits, the SHA-256 of what follows; the processor time; and a recording as runs hand it over. It is
+// A file is 64 digits, the SHA-256 of what follows; the times that it took; and a recording as runs hand it over. It is
 // read on the machine that wrote it only, and believed only if the digest fits: what is damaged is run again.
 constexpr std::size_t digits = 64;
 
@@ -37,11 +37,11 @@ void keep_run(const std::filesystem::path& file, const KeptRun& run)
     header.stage = static_cast<std::uint32_t>(wire::Stage::finished);
     header.tensor_count = run.tensors.size();
     header.tensors_size = size_of_tensors(run);
-    std::string body(sizeof run.cpu_seconds + wire::tensors_offset + header.tensors_size, '\0');
-    std::memcpy(body.data(), &run.cpu_seconds, sizeof run.cpu_seconds);
-    std::memcpy(body.data() + sizeof run.cpu_seconds, &header, sizeof header);
-    (void)wire::write_tensors(
-        run.tensors, std::as_writable_bytes(std::span(body)).subspan(sizeof run.cpu_seconds + wire::tensors_offset));
+    std::string body(sizeof run.times + wire::tensors_offset + header.tensors_size, '\0');
+    std::memcpy(body.data(), &run.times, sizeof run.times);
+    std::memcpy(body.data() + sizeof run.times, &header, sizeof header);
+    (void)wire::write_tensors(run.tensors,
+                              std::as_writable_bytes(std::span(body)).subspan(sizeof run.times + wire::tensors_offset));
     const std::string text = sha256_hex(std::string_view(body)) + body;
     write_file_atomically(file, std::as_bytes(std::span(text)));
 }
@@ -52,11 +52,11 @@ try {
     if (!stream) return std::nullopt;
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     KeptRun run;
-    if (text.size() < digits + sizeof run.cpu_seconds) return std::nullopt;
+    if (text.size() < digits + sizeof run.times) return std::nullopt;
     const std::string_view body = std::string_view(text).substr(digits);
     if (text.compare(0, digits, sha256_hex(body)) != 0) return std::nullopt;
-    std::memcpy(&run.cpu_seconds, body.data(), sizeof run.cpu_seconds);
-    run.tensors = parse_recording(std::as_bytes(std::span(body.substr(sizeof run.cpu_seconds)))).tensors;
+    std::memcpy(&run.times, body.data(), sizeof run.times);
+    run.tensors = parse_recording(std::as_bytes(std::span(body.substr(sizeof run.times)))).tensors;
     return run;
 } catch (const std::exception&) {
     return std::nullopt;

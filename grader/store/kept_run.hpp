@@ -12,7 +12,10 @@ namespace umbral::grader {
 /// What a finished run of trusted code recorded, as it lies on the disk, so that it need not be run again.
 struct KeptRun {
     std::map<std::string, Tensor, std::less<>> tensors;
-    double cpu_seconds = 0;
+    struct Times {
+        double cpu_seconds = 0;
+        double wall_seconds = 0;
+    } times{};
 };
 
 /// Writes it to `file`, whole or not at all. Throws std::runtime_error with path and reason.

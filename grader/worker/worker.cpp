@@ -33,7 +33,7 @@ std::string key_of(const Exercise& exercise, const std::string& who, const std::
 void try_to_keep(const std::filesystem::path& file, const RunOutcome& outcome) noexcept
 try {
     std::filesystem::create_directories(file.parent_path());
-    keep_run(file, {outcome.recording.tensors, outcome.cpu_seconds});
+    keep_run(file, {outcome.recording.tensors, {outcome.cpu_seconds, outcome.wall_seconds}});
 } catch (const std::exception&) {
 }
 
@@ -263,7 +263,8 @@ const RunOutcome& Worker::known(const Exercise& exercise, const std::string& who
         outcome.verdict = Verdict::ok;
         outcome.recording.stage = wire::Stage::finished;
         outcome.recording.tensors = std::move(kept->tensors);
-        outcome.cpu_seconds = kept->cpu_seconds;
+        outcome.cpu_seconds = kept->times.cpu_seconds;
+        outcome.wall_seconds = kept->times.wall_seconds;
         return remember(key, std::move(outcome));
     }
     RunOutcome outcome = run();

@@ -74,7 +74,8 @@ glm::vec2 panorama_place(const glm::vec3& direction)
 
 glm::vec3 panorama_direction(glm::vec2 uv)
 {
-    const double longitude = (double{uv.x} - 0.5) * 2 * pi;
+    // Whole turns go first, exactly: a sine of many of them is off by what pi is.
+    const double longitude = (std::remainder(double{uv.x}, 1.0) - 0.5) * 2 * pi;
     const double latitude = (double{uv.y} - 0.5) * pi;
     return {std::sin(longitude) * std::cos(latitude), std::sin(latitude), -std::cos(longitude) * std::cos(latitude)};
 }

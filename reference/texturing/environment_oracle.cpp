@@ -65,7 +65,7 @@ glm::vec2 panorama_place(const glm::vec3& direction)
 
 glm::vec3 panorama_direction(glm::vec2 uv)
 {
-    const Real longitude = (2 * Real{uv.x} - 1) * pi;
+    const Real longitude = (2 * std::remainder(Real{uv.x}, Real{1}) - 1) * pi;
     const Real from_north = (1 - Real{uv.y}) * pi;
     return {std::sin(longitude) * std::sin(from_north), std::cos(from_north),
             -std::cos(longitude) * std::sin(from_north)};

@@ -175,7 +175,24 @@ TEST(Terminal, hidden_checks_show_no_value)
     EXPECT_TRUE(has(report, "The sign is wrong."));
     EXPECT_TRUE(has(report, "Every check that you can see is right, but a hidden one is not."));
     EXPECT_TRUE(has(report, "1 hidden check fails"));
-    EXPECT_FALSE(has(report, "umbral debug a/b secret"));
+    EXPECT_FALSE(has(report, "umbral debug")) << "no call that can be shown is answered wrongly";
+}
+
+TEST(Terminal, says_once_what_hidden_checks_look_at)
+{
+    std::vector<CheckResult> checks{check_result("open/t", 1000, 1000)};
+    for (const char* name : {"far/low", "far/high", "near/t"}) checks.push_back(check_result(name, 0, 1000, true));
+    checks[1].about = checks[2].about = "boxes far away";
+    checks[3].about = "rays from near";
+    const std::string report =
+        terminal_report(submission_result("ana", {unit_result("a/b", Verdict::partial, checks)}), {});
+    const std::size_t low = report.find("far/low:");
+    const std::size_t high = report.find("far/high:");
+    const std::size_t told = report.find("Looks at: boxes far away");
+    const std::size_t near = report.find("near/t:");
+    EXPECT_TRUE(low < high && high < told && told < near) << report;
+    EXPECT_EQ(report.find("boxes far away", told + 12), std::string::npos) << report;
+    EXPECT_TRUE(has(report, "Looks at: rays from near"));
 }
 
 TEST(Terminal, never_says_all_right_while_a_hidden_check_fails)

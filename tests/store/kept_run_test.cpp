@@ -15,7 +15,7 @@ using umbral::test::TemporaryFolder;
 KeptRun run()
 {
     KeptRun run;
-    run.cpu_seconds = 0.1;
+    run.times = {0.1, 0.25};
     Tensor picture{Element::uint8, 2, 3, 4, std::vector<std::byte>(24, std::byte{7}), {}};
     Tensor numbers{Element::float64, 2, 1, 1, std::vector<std::byte>(16, std::byte{0xFF}), {1, 0}};
     std::fill(numbers.bytes.begin() + 8, numbers.bytes.end(), std::byte{0});  // of the cell that has no value
@@ -30,7 +30,8 @@ TEST(KeptRun, comes_back_bit_for_bit)
     const auto kept = kept_run(folder / "run");
     ASSERT_TRUE(kept);
     EXPECT_EQ(kept->tensors, run().tensors);
-    EXPECT_EQ(kept->cpu_seconds, 0.1);
+    EXPECT_EQ(kept->times.cpu_seconds, 0.1);
+    EXPECT_EQ(kept->times.wall_seconds, 0.25);
     keep_run(folder / "run", {});
     EXPECT_TRUE(kept_run(folder / "run")->tensors.empty());
 }

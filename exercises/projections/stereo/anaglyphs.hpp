@@ -43,6 +43,18 @@ inline void record_known_pixels(Variation& vary, Recorder& out)
         right.cells[i] = paints[i / 8];
     }
     record_anaglyph(out, left, right);
+
+    // As many pixels in another shape, and so dark that the sRGB curve is straight or has just begun to bend.
+    left = Image(16, 4);
+    right = Image(16, 4);
+    const auto grey = [](std::size_t code) {
+        return glm::u8vec4(glm::u8vec3(static_cast<std::uint8_t>(code)), std::uint8_t{255});
+    };
+    for (std::size_t i = 0; i < left.cells.size(); ++i) {
+        left.cells[i] = grey(i % 16);
+        right.cells[i] = grey(3 * (i / 16));
+    }
+    record_anaglyph(out, left, right);
 }
 
 inline Image random_image(int width, int height, Random& random)
@@ -57,7 +69,7 @@ inline Image random_image(int width, int height, Random& random)
 // Sizes that are no square, one without a pixel, and alpha that must not come through.
 inline void record_random_pixels(Random& random, Recorder& out)
 {
-    for (const glm::ivec2& size : {glm::ivec2(37, 5), {1, 90}, {0, 3}, {24, 20}}) {
+    for (const glm::ivec2& size : {glm::ivec2(37, 5), {1, 90}, {0, 3}, {20, 24}, {24, 20}}) {
         const Image left = random_image(size.x, size.y, random);
         record_anaglyph(out, left, random_image(size.x, size.y, random));
     }

@@ -93,8 +93,13 @@ void record_both_hands(Random& random, Recorder& out)
 
 void record_random(Random& random, Recorder& out)
 {
+    glm::mat3 basis;
     for (int i = 0; i < 150; ++i) {
-        const glm::mat3 basis = oblique(random);
+        // Now and then only the last vector is another one than before.
+        if (i % 3 == 2)
+            basis[2] = -basis[2];
+        else
+            basis = oblique(random);
         const glm::vec3 a = some_vector(random);
         record(out, basis, a, some_vector(random));
     }
