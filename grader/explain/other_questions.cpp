@@ -10,6 +10,7 @@
 
 #include "judge/explain/thresholds.hpp"
 #include "question/names.hpp"
+#include "worker/spare_time.hpp"
 
 #include <umbral/record/questions.hpp>
 
@@ -35,6 +36,10 @@ constexpr std::size_t most_asked_cases = 3;
 /// against a question, but others do too.
 constexpr std::size_t most_passing_cells = 10'000;
 constexpr double most_passing_seconds = 1;
+
+/// All questions of a unit together take no longer than this. A changed mesh may make the reference walk round it for
+/// ever, and each such run takes all that it may: rather no reason than one that is waited for.
+constexpr double most_seconds_in_all = 10;
 
 /// What one run can hold.
 constexpr std::size_t most_tensors = 240;
@@ -77,25 +82,26 @@ std::size_t room(const RunOutcome& plain, const Limits& limits)
 /// Asks one case each of the questions, as many as a run can hold at a time. Where a run does not end well, its
 /// questions are asked in halves, until the one that does not bear asking is alone: some never end, such as a vector
 /// without length.
-void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group, std::span<Candidate> candidates)
+void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group, std::span<Candidate> candidates,
+               SpareTime& time)
 {
-    if (candidates.empty()) return;
+    if (candidates.empty() || !time.is_left()) return;
     const RunOutcome& plain = worker.trusted(exercise, Answers::reference, group.name, group.result->seed);
     // What one draw leaves in OpenGL's state must not reach the next.
     const std::size_t most = exercise.gl && draws(plain) ? 1 : room(plain, exercise.limits);
     if (candidates.size() > most) {
-        weigh_all(worker, exercise, group, candidates.first(most));
-        weigh_all(worker, exercise, group, candidates.subspan(most));
+        weigh_all(worker, exercise, group, candidates.first(most), time);
+        weigh_all(worker, exercise, group, candidates.subspan(most), time);
         return;
     }
     Inquiry inquiry;
     for (const Candidate& candidate : candidates) inquiry.others.push_back(candidate.question);
     const Limits limits = limits_for(exercise.limits, plain.cpu_seconds * static_cast<double>(1 + candidates.size()));
     const RunOutcome run =
-        worker.inquire(exercise, Answers::reference, group.name, group.result->seed, inquiry, limits);
+        time.spent_on(worker.inquire(exercise, Answers::reference, group.name, group.result->seed, inquiry, limits));
     if (run.verdict != Verdict::ok && candidates.size() > 1) {
-        weigh_all(worker, exercise, group, candidates.first(candidates.size() / 2));
-        weigh_all(worker, exercise, group, candidates.subspan(candidates.size() / 2));
+        weigh_all(worker, exercise, group, candidates.first(candidates.size() / 2), time);
+        weigh_all(worker, exercise, group, candidates.subspan(candidates.size() / 2), time);
         return;
     }
     std::vector<RunOutcome> runs(candidates.size());
@@ -117,7 +123,7 @@ std::size_t questions_in_time(const RunOutcome& plain)
 }
 
 /// Those that a failing check of this case speaks for.
-std::vector<Candidate> fitting(Worker& worker, const Exercise& exercise, const CaseChecks& group)
+std::vector<Candidate> fitting(Worker& worker, const Exercise& exercise, const CaseChecks& group, SpareTime& time)
 {
     const RunOutcome& plain = worker.trusted(exercise, Answers::reference, group.name, group.result->seed);
     const std::size_t most = questions_in_time(plain);
@@ -125,7 +131,7 @@ std::vector<Candidate> fitting(Worker& worker, const Exercise& exercise, const C
     for (const OtherQuestion& other : worker.questions(exercise, group.name, group.result->seed).others)
         if (found.size() < most && std::ranges::find(found, other, &Candidate::question) == found.end())
             found.push_back({other});
-    weigh_all(worker, exercise, group, found);
+    weigh_all(worker, exercise, group, found, time);
     std::erase_if(found, std::not_fn(&Candidate::fits));
     return found;
 }
@@ -220,11 +226,13 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
     std::ranges::copy_if(groups, std::back_inserter(asked), has_numbers);
     if (std::ranges::none_of(asked, [](const CaseChecks& group) { return group.failing > 0; }))
         asked.assign(groups.begin(), groups.end());
+    SpareTime time;
+    time.allow(most_seconds_in_all);
     std::vector<Candidate> candidates;
     std::size_t tried = 0;
     for (const CaseChecks& group : asked) {
         if (group.failing == 0 || !group.result->trouble().empty() || tried++ == most_asked_cases) continue;
-        for (Candidate& candidate : fitting(worker, exercise, group))
+        for (Candidate& candidate : fitting(worker, exercise, group, time))
             if (std::ranges::find(candidates, candidate.question, &Candidate::question) == candidates.end())
                 candidates.push_back({std::move(candidate.question)});
     }
@@ -236,14 +244,15 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
         undecided -= group.failing;
         if (group.failing == 0 && is_too_long(worker, exercise, group, candidates.size())) continue;
         if (weighed++ == most_asked_cases) keep_first_of_equals(candidates);
-        weigh_all(worker, exercise, group, candidates);
+        weigh_all(worker, exercise, group, candidates, time);
         std::erase_if(candidates, [&](const Candidate& one) {
             return most_confidence(one.tally, undecided) < thresholds::least_sure;
         });
     }
     keep_first_of_equals(candidates);
     std::vector<Explanation> found;
-    if (candidates.empty()) return found;
+    // What not all cases were asked about might be spoken against by the others.
+    if (candidates.empty() || !time.is_left()) return found;
     const std::string headers = interface_text(worker, exercise);
     for (const Candidate& candidate : candidates) {
         const std::string words = in_words(candidate.question, headers);
