@@ -24,15 +24,14 @@ std::string driver_text(const Exercise& exercise)
     return fmt::format(R"(#include <umbral/record/driver.hpp>
 #include <umbral/record/features.hpp>
 #include <umbral/record/literal.hpp>
+#include <variant>
 namespace umbral::{0} {{}}
 namespace umbral {{
 namespace {{
 using namespace {0};
-void answer(Case&, Recorder& out)
+template <class Value>
+void tell(Recorder& out, const Value& result)
 {{
-    const auto result = __extension__({{
-{1}
-    ;}});
     out.text("answer", literal::of_value(result, true, literal::in_full));
     Features features;
     const auto add = [&features](const auto& value) {{
@@ -48,6 +47,17 @@ void answer(Case&, Recorder& out)
         out.append("numbers", features.values[i]);
     }}
     out.text("names", names);
+}}
+template <class... Values>
+void tell(Recorder& out, const std::variant<Values...>& result)
+{{
+    std::visit([&out](const auto& value) {{ tell(out, value); }}, result);
+}}
+void answer(Case&, Recorder& out)
+{{
+    tell(out, __extension__({{
+{1}
+    ;}}));
 }}
 }}
 const Driver driver = {{{{"{2}", answer}}}};

@@ -50,6 +50,18 @@ TEST_F(AskQuestion, takes_lines_that_make_what_is_asked_about)
     EXPECT_EQ(asked.yours.numbers, (std::vector<double>{0, 0, 11}));
 }
 
+// What it holds is told, and not that it is a variant: two of them looked equal whatever they held.
+TEST_F(AskQuestion, tells_what_a_variant_holds)
+{
+    const auto told = [&](const std::string& held) {
+        return ask(changed("return t;", "return t;"), "std::variant<int, glm::vec2>(" + held + ")").yours;
+    };
+    EXPECT_EQ(told("3").text, "3");
+    const auto vector = told("glm::vec2(1, 2)");
+    EXPECT_EQ(vector.text, "glm::vec2{1, 2}");
+    EXPECT_EQ(vector.numbers, (std::vector<double>{1, 2}));
+}
+
 TEST_F(AskQuestion, refuses_what_does_not_compile_with_the_compilers_message)
 {
     const std::string refused = ask(changed("return t;", "return t;"), "1 +\nintersect(nothing)").refused;
