@@ -201,6 +201,15 @@ inline std::vector<PolygonMesh> more_faults(Random& random)
     for (std::size_t i = 0; i < wholes.size(); ++i)
         for (std::size_t k = i; k < wholes.size(); k += 2)
             meshes.push_back(shuffled(sharing_a_vertex(wholes[i], wholes[k], random), random));
+    // Two bags of two triangles each, which share a vertex of four edges only; and with a vertex that nobody has, of
+    // which the one in the lower place is not the first to be looked for.
+    PolygonMesh bags{std::vector<glm::vec3>(5), {{0, 1, 2}, {0, 2, 1}, {0, 3, 4}, {0, 4, 3}}};
+    meshes.push_back(shuffled(bags, random));
+    bags.positions.emplace_back(1);
+    // A face with a vertex twice, and one with two corners: the first of the two faces is told.
+    const PolygonMesh two_faces{std::vector<glm::vec3>(3), {{0, 1, 0, 2}, {0, 1}}};
+    for (int i = 0; i < 4; ++i)
+        for (const PolygonMesh& mesh : {bags, two_faces}) meshes.push_back(shuffled(mesh, random));
     return meshes;
 }
 

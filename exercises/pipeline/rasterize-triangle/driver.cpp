@@ -166,14 +166,15 @@ std::vector<Triangle> unrounded(Random& random)
 void guard_band(Random& random, Recorder& out)
 {
     std::vector<std::array<glm::vec2, 3>> corners;
-    constexpr int width = 24;  // a picture that is higher than wide
-    constexpr int height = 40;
+    constexpr int width = 24, height = 40;  // a picture that is higher than wide
     for (int i = 0; i < 40; ++i) corners.push_back(huge_triangle(random, width, height, false));
     for (int i = 0; i < 160; ++i) corners.push_back(huge_triangle(random, width, height, true));
-    // Corners exactly on its border, which belongs to it.
-    for (const glm::vec2 corner : {glm::vec2(16384, 3), {-16384, 5}, {7, 16384}, {9, -16384}})
-        corners.push_back(
-            {corner, glm::vec2(2, 2), corner.x < 10 && corner.x > -10 ? glm::vec2(20, 2) : glm::vec2(2, 30)});
+    // Corners exactly on its border, which belongs to it, and so little beyond that they round to it.
+    for (const float end : {16384.0F, -16384.0F, 16384.001953125F, -16384.001953125F}) {
+        corners.push_back({glm::vec2(end, 4), {2, 2}, {2, 30}});
+        corners.push_back({glm::vec2(8, end), {2, 2}, {20, 2}});
+    }
+    corners.push_back({glm::vec2(1, 16384), {2, -16384}, {9, 16384}});
     const std::vector<Triangle> triangles = with_attributes(random, corners);
     record(out, triangles, width, height, false);
     // At the far end of the widest and of the highest picture that there are.

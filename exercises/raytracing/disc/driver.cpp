@@ -72,6 +72,19 @@ std::vector<DiscShot> at_the_rim(Random& random)
     return shots;
 }
 
+// From just above the disc, away from its centre, and yet into it; the twin meets its plane beyond the rim.
+void shots_away_from_the_centre(std::vector<DiscShot>& shots, Random& random)
+{
+    const Disc disc = random_disc(random);
+    const glm::vec3 normal = normalize(disc.normal);
+    const glm::vec3 outwards = disc.radius * normalize(cross(normal, random.unit_vector()));
+    const glm::vec3 from = disc.centre + 0.3F * outwards + 0.05F * disc.radius * normal;
+    const auto towards = [&](float place) {
+        return DiscShot{{from, disc.centre + place * outwards - from, 0, endless}, disc};
+    };
+    add_pair(shots, towards(random.uniform(0.6F, 0.9F)), towards(random.uniform(1.1F, 1.4F)), random);
+}
+
 // Where the interval (t_min, t_max) decides: the disc lies behind, before t_min, or beyond t_max; and the same on the
 // other side of the origin, where t is negative and the interval admits that.
 std::vector<DiscShot> behind_and_before(Random& random)
@@ -98,6 +111,7 @@ std::vector<DiscShot> behind_and_before(Random& random)
             default: add_pair(shots, in(behind, -2 * t, t), in(ahead, -2 * t, 0.99F * t), random);
         }
     }
+    for (int i = 0; i < 30; ++i) shots_away_from_the_centre(shots, random);
     return shots;
 }
 
