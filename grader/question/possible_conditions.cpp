@@ -48,9 +48,15 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
     const bool plain = fact.kind == Fact::Kind::number;
     const int cost = fact.first ? -1 : fact.component ? 3 : plain ? 0 : fact.kind == Fact::Kind::length ? 1 : 2;
     if (fact.kind == Fact::Kind::parallel) {
-        all.push_back(of_one(words + " are parallel", i, cost, [](double x) { return x < alike; }));
+        // Of some it may be true up to a rounding only, which can be what matters.
+        constexpr double rounding = 1e-15;
+        const auto nearly = [&](auto is_so) { return std::ranges::any_of(fact.values, is_so) ? ", or nearly" : ""; };
+        const std::string parallel = nearly([](double x) { return x > rounding && x < alike; });
+        const std::string perpendicular = nearly([](double x) { return x > 1 - alike * alike && x < 1 - rounding; });
+        all.push_back(of_one(words + " are parallel" + parallel, i, cost, [](double x) { return x < alike; }));
         all.push_back(of_one(words + " are not parallel", i, cost + 1, [](double x) { return x >= alike; }));
-        all.push_back(of_one(words + " are perpendicular", i, cost, [](double x) { return x > 1 - alike * alike; }));
+        all.push_back(of_one(words + " are perpendicular" + perpendicular, i, cost,
+                             [](double x) { return x > 1 - alike * alike; }));
         return;
     }
     all.push_back(of_one(words + " is not finite", i, cost, [](double x) { return !is_finite(x); }));

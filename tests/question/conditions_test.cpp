@@ -1,9 +1,11 @@
 #include "question/conditions.hpp"
+#include "question/possible_conditions.hpp"
 #include "question/quantity.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <umbral/core/random.hpp>
 
 namespace umbral::grader {
@@ -207,6 +209,20 @@ TEST(Facts, measure_no_distance_between_a_place_and_a_direction)
     QuestionTable table{{"ray.origin.x", "ray.origin.y", "ray.direction.x", "ray.direction.y"}, {{1, 2, 3, 4}}};
     for (const Fact& fact : facts_of(table))
         EXPECT_EQ(fact.words.find("the distance"), std::string::npos) << fact.words;
+}
+
+TEST(PossibleConditions, say_nearly_of_what_is_so_but_for_a_little)
+{
+    const auto said = [](double sine) {
+        std::set<std::string> words;
+        const std::vector<Fact> facts{{.words = "u and v", .kind = Fact::Kind::parallel, .values = {sine, 0.5}}};
+        for (const PossibleCondition& one : possible_conditions(facts, {true, false})) words.insert(one.words);
+        return words;
+    };
+    EXPECT_TRUE(said(0).contains("u and v are parallel"));
+    EXPECT_TRUE(said(1e-6).contains("u and v are parallel, or nearly"));
+    EXPECT_TRUE(said(1).contains("u and v are perpendicular"));
+    EXPECT_TRUE(said(1 - 1e-12).contains("u and v are perpendicular, or nearly"));
 }
 
 TEST(Facts, know_lengths_products_and_parallel_vectors)
