@@ -142,18 +142,11 @@ const char* const impossible[] = {
     "new $D/new zzz",
     "new ''",
     "new $L/x sphere",  //
-    "new $L/x/ sphere", //
-    "check $L/x",
     "check sphere --dir $L/x",
     "debug sphere --dir $L/x",
-    "debug $L/x",
-    "compare $P $L/x",
     "grade $L/x",
     "grade $C --out $L/x",
-    "validate sphere --json $L/x",
-    "reset sphere --dir $L/x",
     "ask sphere 'intersect(1)' --dir $L/x",
-    "demo $L/x",
     "check --dir $F",
     "check --dir $D/no",
     "check --dir $D",

@@ -189,8 +189,7 @@ void guard_band(Random& random, Recorder& out)
     }
 }
 
-// So thin or small that most cover one pixel or none: each fragment of a needle hangs on the last of 47 bits.
-// Twenty-five make a group.
+// So thin or small that most cover one pixel or none, which hangs on the last of 47 bits. Twenty-five make a group.
 void needles(Random& random, Recorder& out)
 {
     std::vector<std::array<glm::vec2, 3>> corners;
