@@ -1,8 +1,11 @@
 #include "cli/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <sstream>
+
+#include "model/nearest.hpp"
 
 namespace umbral::grader {
 
@@ -106,6 +109,32 @@ std::string complaint_of(CLI::App& app, const Parse& parse)
     }
 }
 
+/// What there is to say of the first option that its command does not have. The parser would take what follows it for
+/// an argument first, and complain of that.
+std::string unknown_option(const CLI::App& app, std::span<char* const> words)
+{
+    const CLI::App* command = nullptr;
+    for (const std::string_view word : words) {
+        if (command == nullptr) {
+            if (word.starts_with('-')) continue;
+            const auto all = app.get_subcommands({});
+            const auto found = std::ranges::find(all, word, &CLI::App::get_name);
+            if (found == all.end() || (*found)->get_prefix_command()) return "";
+            command = *found;
+            continue;
+        }
+        const std::string option(word.substr(0, word.find('=')));
+        if (option == "--") return "";
+        if (!option.starts_with("--") || command->get_option_no_throw(option) != nullptr) continue;
+        std::vector<std::string> known;
+        for (const CLI::Option* one : command->get_options())
+            for (const std::string& name : one->get_lnames()) known.push_back("--" + name);
+        return "umbral: " + command->get_name() + " has no option '" + option + "'" +
+               did_you_mean(nearest(option, known)) + " `umbral " + command->get_name() + " --help` shows all it has\n";
+    }
+    return "";
+}
+
 }
 
 CommandLine::CommandLine(const std::string& name, const std::string& summary, const std::string& version)
@@ -128,6 +157,7 @@ std::vector<std::string> CommandLine::commands() const
 
 std::string CommandLine::run(std::span<char* const> words)
 {
+    if (std::string complaint = unknown_option(*app_, words); !complaint.empty()) return complaint;
     // CLI11 takes the last word first.
     std::vector<std::string> reversed(words.rbegin(), words.rend());
     return complaint_of(*app_, [&] { app_->parse(std::move(reversed)); });

@@ -116,7 +116,9 @@ TEST(NearMisses, are_told_the_nearest_name)
           NearMiss{"validate raytracng", "did you mean `raytracing`?"},
           NearMiss{"validate raytracing", "is a topic, not a unit; its units: raytracing/"},
           NearMiss{"validate raytracng/sphere", "`raytracing/sphere`"}, NearMiss{"hint matrix", "`normal-matrix`"},
-          NearMiss{"chekc", "did you mean `check`?"}, NearMiss{"gradee", "did you mean `grade`?"}}) {
+          NearMiss{"hint sphere --dir w", "hint has no option '--dir'; `umbral hint --help`"},
+          NearMiss{"check --dri w", "did you mean `--dir`?"}, NearMiss{"chekc", "did you mean `check`?"},
+          NearMiss{"gradee", "did you mean `grade`?"}}) {
         const Printed printed = umbral(one.arguments);
         EXPECT_EQ(printed.status, 2) << one.arguments;
         EXPECT_NE(printed.text.find(one.advice), std::string::npos) << one.arguments << "\n" << printed.text;
@@ -146,7 +148,6 @@ const char* const impossible[] = {
     "debug sphere --dir $L/x",
     "grade $L/x",
     "grade $C --out $L/x",
-    "ask sphere 'intersect(1)' --dir $L/x",
     "check --dir $F",
     "check --dir $D/no",
     "check --dir $D",
