@@ -62,6 +62,35 @@ AskedRow question_of_row(const Application& application, const Exercise& exercis
             kind == nullptr ? std::string() : kind->function.substr(kind->function.rfind(':') + 1)};
 }
 
+/// A command that has gdb show vectors and matrices of GLM's as their numbers: each has three names for each. A gdb
+/// without Python says that it has none, and goes on.
+constexpr const char* show_vectors_short = R"(python exec("""
+import gdb.printing
+class Vector:
+    def __init__(self, value):
+        self.value = value
+    def to_string(self):
+        size = int(self.value.type.strip_typedefs().template_argument(0))
+        return '(' + ', '.join(str(self.value[name]) for name in 'xyzw'[:size]) + ')'
+class Matrix:
+    def __init__(self, value):
+        self.value = value
+    def to_string(self):
+        size = int(self.value.type.strip_typedefs().template_argument(0))
+        return 'columns ' + ' '.join(str(self.value['value'][column]) for column in range(size))
+printers = gdb.printing.RegexpCollectionPrettyPrinter('glm')
+printers.add_printer('vec', '^glm::vec<', Vector)
+printers.add_printer('mat', '^glm::mat<', Matrix)
+gdb.printing.register_pretty_printer(None, printers)
+"""))";
+
+/// gdb takes a command as one line.
+std::string as_one_line(std::string text)
+{
+    for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.replace(at, 1, "\\n");
+    return text;
+}
+
 void debug(const Application& application, const DebugOptions& options)
 {
     const Exercise exercise = application.chosen({options.unit}).front();
@@ -85,7 +114,7 @@ void debug(const Application& application, const DebugOptions& options)
     std::vector<std::string> words;
     if (!options.no_debugger) {
         words = {"gdb", "-q"};
-        std::vector<std::string> commands = {"set breakpoint pending on",
+        std::vector<std::string> commands = {"set breakpoint pending on", as_one_line(show_vectors_short),
                                              "directory " + fs::absolute(sources).string()};
         // The first call from there on is the one that was asked.
         if (asked && !asked->function.empty())

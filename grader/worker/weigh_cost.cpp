@@ -47,8 +47,16 @@ struct Side {
                                              std::numeric_limits<double>::max()};
 };
 
-/// In which row the answers to the work are wrong, if in any.
-std::optional<std::size_t> wrong_answer(const Check& check, const RunOutcome& student, const RunOutcome& reference)
+/// " (of the numbers that sum it up, number 0 is 3197, expected 3200)"
+std::string words_of(const WrongAnswer::Number& number)
+{
+    const auto [yours, expected] = telling_apart(
+        [&](int digits) { return std::pair(number_text(number.yours, digits), number_text(number.expected, digits)); });
+    return fmt::format(" (of the numbers that sum it up, number {} is {}, expected {})", number.place, yours, expected);
+}
+
+/// Which answer to the work is wrong, if any is.
+std::optional<WrongAnswer> wrong_answer(const Check& check, const RunOutcome& student, const RunOutcome& reference)
 {
     const std::string name = check.value + std::string(cost_answers_suffix);
     return first_wrong_answer(tensor_of(student, name), tensor_of(reference, name));
@@ -109,9 +117,10 @@ std::optional<std::string> objection_to(Worker& worker, const Exercise& exercise
         (void)costs(check, reference, after);
     std::vector<double> sizes;
     for (const CostRow& row : cost) sizes.push_back(row.size);
-    if (const auto row = wrong_answer(check, one.student, reference))
-        return fmt::format("the answer for the size {} is not right: work that leads to no right answer earns nothing",
-                           count_text(sizes[std::min(*row, sizes.size() - 1)]));
+    if (const auto wrong = wrong_answer(check, one.student, reference))
+        return fmt::format(
+            "the answer for the size {} is not right{}: work that leads to no right answer earns nothing",
+            count_text(sizes[std::min(wrong->row, sizes.size() - 1)]), wrong->number ? words_of(*wrong->number) : "");
     if (!is_worth_measuring(milliseconds_of(one.student), milliseconds_of(reference))) return std::nullopt;
     // What ran beside may have cost one side more than the other: who loses points was too slow twice.
     const std::string_view names = text_of(expected_of(check, reference).names);

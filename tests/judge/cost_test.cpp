@@ -138,7 +138,10 @@ TEST(Costs, controls_and_mistakes)
 TEST(CostAnswers, are_right_row_by_row)
 {
     const Tensor expected = floats({10, 0.5, 20, 0.25, 40, 0.125}, 2);
-    const auto wrong = [&](const Tensor& yours) { return first_wrong_answer(&yours, &expected); };
+    const auto row_of = [](const std::optional<WrongAnswer>& one) {
+        return one ? std::optional(one->row) : std::nullopt;
+    };
+    const auto wrong = [&](const Tensor& yours) { return row_of(first_wrong_answer(&yours, &expected)); };
     const float nan = std::nanf("");
     EXPECT_EQ(wrong(expected), std::nullopt);
     EXPECT_EQ(wrong(floats({10, 0.5002F, 20, 0.25, 40.02F, 0.125}, 2)), std::nullopt) << "sums in another order";
@@ -147,8 +150,21 @@ TEST(CostAnswers, are_right_row_by_row)
     EXPECT_EQ(wrong(floats({10, 0.5, 20, 0.25}, 2)), 2U) << "a row is missing";
     EXPECT_EQ(wrong(floats({10, 0.5, 20, 0.25, 40, 0.125, 80, 1}, 2)), 3U) << "one too many";
     EXPECT_EQ(wrong(floats({10, 20, 40}, 1)), 0U);
-    EXPECT_EQ(first_wrong_answer(nullptr, &expected), 0U);
-    EXPECT_EQ(first_wrong_answer(&expected, nullptr), std::nullopt) << "where the driver records none";
+    EXPECT_EQ(row_of(first_wrong_answer(nullptr, &expected)), 0U);
+    EXPECT_EQ(row_of(first_wrong_answer(&expected, nullptr)), std::nullopt) << "where the driver records none";
+}
+
+TEST(CostAnswers, tell_the_first_number_that_differs)
+{
+    const Tensor expected = floats({10, 0.5, 20, 0.25}, 2);
+    const Tensor yours = floats({10, 0.5, 20, 0.75}, 2);
+    const std::optional<WrongAnswer> wrong = first_wrong_answer(&yours, &expected);
+    ASSERT_TRUE(wrong && wrong->number);
+    EXPECT_EQ(wrong->number->place, 1U);
+    EXPECT_EQ(wrong->number->yours, 0.75);
+    EXPECT_EQ(wrong->number->expected, 0.25);
+    const Tensor short_one = floats({10, 0.5}, 2);
+    EXPECT_FALSE(first_wrong_answer(&short_one, &expected)->number) << "there is none";
 }
 
 }
