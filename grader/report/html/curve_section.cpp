@@ -11,7 +11,7 @@ namespace {
 // The picture and, within it, the frame in which points lie.
 constexpr double width = 460;
 constexpr double height = 260;
-constexpr double left = 74;
+constexpr double left = 90;
 constexpr double right = width - 16;
 constexpr double top = 16;
 constexpr double bottom = height - 44;
@@ -35,7 +35,8 @@ Spot spot_of(const CurvePlace& place)
     return {left + inset + place.x * (right - left - 2 * inset), bottom - inset - place.y * (bottom - top - 2 * inset)};
 }
 
-/// Where a point's name stands: beside it, on the first side where it covers nothing; below it if there is none.
+/// Where a point's name stands: beside it, on the first side where it covers nothing; or farther above, where a line
+/// leads to it; below it if there is no room either.
 Spot place_of_name(const Spot& spot, std::size_t letters, std::vector<Box>& taken)
 {
     const double wide = 6.6 * static_cast<double>(letters);
@@ -43,7 +44,9 @@ Spot place_of_name(const Spot& spot, std::size_t letters, std::vector<Box>& take
     const double inside = std::clamp(spot.x - wide / 2, left + 4, std::max(left + 4, right - 4 - wide));
     const std::initializer_list<Spot> sides = {{spot.x + 11, spot.y + 4},  {spot.x - 11 - wide, spot.y + 4},
                                                {inside, spot.y - 12},      {inside, spot.y + 22},
-                                               {spot.x + 11, spot.y + 18}, {spot.x + 11, spot.y - 10}};
+                                               {spot.x + 11, spot.y + 18}, {spot.x + 11, spot.y - 10},
+                                               {inside, spot.y - 30},      {inside, spot.y - 46},
+                                               {inside, spot.y - 62},      {inside, spot.y - 78}};
     for (const Spot& one : sides) {
         const Box here = box(one.x, one.y);
         const bool within = here.left > left && here.right < right && here.top > top && here.bottom < bottom;
@@ -52,6 +55,14 @@ Spot place_of_name(const Spot& spot, std::size_t letters, std::vector<Box>& take
         return one;
     }
     return {inside, spot.y + 22};
+}
+
+/// The line from a point to its name that stands farther above.
+Markup leader(const Spot& spot, const Spot& name)
+{
+    constexpr double beside = 24;
+    if (spot.y - name.y < beside) return {};
+    return markup("<path class=\"leader\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", spot.x, spot.y - 8, name.y + 5);
 }
 
 /// Characters, of which names have few that take more than a byte.
@@ -127,6 +138,7 @@ Markup drawing(const UnitCurve& curve)
     // The student's name has the first choice.
     const Spot yours = spot_of(places.back());
     const Spot word = place_of_name(yours, 5, taken);
+    result += leader(yours, word);
     Markup names = markup("<text class=\"of-yours\" x=\"{:.1f}\" y=\"{:.1f}\">yours</text>", word.x, word.y);
     for (std::size_t i = 0; i < curve.others.size(); ++i) {
         const Spot spot = spot_of(places[i]);
@@ -135,6 +147,7 @@ Markup drawing(const UnitCurve& curve)
                          reference ? "of-reference" : "other", spot.x, spot.y);
         const std::string name = in_short(curve.others[i].name);
         const Spot beside = place_of_name(spot, letters_of(name), taken);
+        result += leader(spot, beside);
         names += markup("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", reference ? "of-reference" : "other",
                         beside.x, beside.y, name);
     }

@@ -1,4 +1,5 @@
 // alternative: only the cross product is in double; the sum is in float, and keeps what each addition loses (Kahan)
+// knob: summation
 #include <umbral/meshes/area.hpp>
 
 namespace umbral::meshes {

@@ -1,4 +1,5 @@
 // alternative: sums halves of the mesh first, and those of their halves, so that numbers of one size are added
+// knob: summation
 #include <umbral/meshes/area.hpp>
 
 namespace umbral::meshes {

@@ -2,6 +2,7 @@
 // credit: 55..82
 // hint: Your formula is right, but float has seven digits: a thin triangle loses them in the cross product, a million
 // triangles lose them in the sum. Compute in double, and round once.
+// knob: summation
 #include <cmath>
 #include <umbral/meshes/area.hpp>
 

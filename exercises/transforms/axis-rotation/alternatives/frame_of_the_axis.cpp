@@ -1,5 +1,6 @@
 // alternative: in a frame whose z is the axis every rotation is Rot_z; only its difference from the identity is carried
 // to the world
+// knob: rotation-chain
 #include <cmath>
 #include <umbral/transforms/rotation.hpp>
 

@@ -1,4 +1,5 @@
 // alternative: Rodrigues' formula as the course writes it, and products of matrices, all in double
+// knob: rotation-chain
 #include <cmath>
 #include <umbral/transforms/rotation.hpp>
 

@@ -2,6 +2,7 @@
 // credit: 65..80
 // hint: In float, 1 - cosθ of a tiny angle is 0, the square of a tiny axis is 0, and long products drift. Compute in
 // double, and round once at the end.
+// knob: rotation-chain
 #include <cmath>
 #include <umbral/transforms/rotation.hpp>
 
