@@ -14,6 +14,10 @@ namespace {
 /// Each costs a run: so many questions, and then so many functions.
 constexpr std::size_t most_questions = 8;
 constexpr std::size_t most_functions = 3;
+/// Of the limit: what a case that did not end may take without the question in which it hung. Code that is slow
+/// everywhere is stopped at one question today and at another tomorrow: only a loop that begins early, and does not
+/// end, is told from it.
+constexpr double part_without_loop = 0.25;
 
 template <class Number>
 void make_wrong(std::span<std::byte> bytes)
@@ -76,7 +80,10 @@ void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& buil
     RunOutcome last = one.student;
     // The case that crashed and its repetitions take no longer than one run may, and the last of them, nor do all
     // repetitions of a unit: crashing late, again and again, would else cost twelve times the limit in each case.
-    double seconds = last.verdict == Verdict::timeout ? 0 : last.wall_seconds;
+    const bool hung = last.verdict == Verdict::timeout;
+    double seconds = hung ? 0 : last.wall_seconds;
+    Exercise allowed = exercise;
+    if (hung) allowed.limits.wall_seconds *= part_without_loop;
     // Each run takes more away, but whether code crashes may be up to chance.
     for (std::size_t runs = 0; can_be_passed(last) && runs <= most_questions + most_functions; ++runs) {
         const std::uint32_t question = last.recording.asked - 1;
@@ -89,13 +96,10 @@ void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& buil
                  !passed_over.functions.emplace(function(), question).second)
             passed_over.end = question;
         if (seconds > exercise.limits.wall_seconds || !worker.spare_time().is_left()) return;
-        last = worker.run_past(exercise, built, case_name, one.seed, passed_over);
+        last = worker.run_past(allowed, built, case_name, one.seed, passed_over);
         seconds += last.wall_seconds;
     }
-    // Code that is slow everywhere is stopped at one question today and at another tomorrow: only a loop that begins
-    // early, and does not end, is told from it.
-    const bool slow = one.student.verdict == Verdict::timeout && last.wall_seconds > exercise.limits.wall_seconds / 4;
-    if (last.verdict == Verdict::ok && one.student.verdict != Verdict::ok && !slow) one.past = std::move(last);
+    if (last.verdict == Verdict::ok && one.student.verdict != Verdict::ok) one.past = std::move(last);
 }
 
 std::string question_of_end(Worker& worker, const Exercise& exercise, const std::string& case_name,
