@@ -99,11 +99,11 @@ public:
             const QuestionSpan asked = log_.questions_of(check.value, cell, expected->cells());
             // No debugger can stop at several.
             if (asked.count > 1) result.first_difference->cell.reset();
-            alone = !check.hidden && asked.count == 1 && may_repeat(worker_, exercise_, one_) &&
+            alone = !check.hidden && !result.beside && asked.count == 1 && may_repeat(worker_, exercise_, one_) &&
                     is_right_alone(worker_, exercise_, built_, check, one_, asked.first, cell);
         }
         for (RowPair* row : rows_in(detail, check.name)) show(row->cell, row->question);
-        if (!may_repeat(worker_, exercise_, one_)) return;
+        if (result.beside || !may_repeat(worker_, exercise_, one_)) return;
         const AskedCheck asked{exercise_, check, runs_, one_, log_, headers};
         if (result.first_difference && !result.first_difference->cell)
             if (const auto question = first_wrong_group(asked))

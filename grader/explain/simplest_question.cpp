@@ -108,9 +108,9 @@ bool can_be_simpler(const Check& check, const CheckResult& result)
 {
     const JudgeRecord& judge = judge_of(check);
     // Where the answer depends on the calls before, another question shows nothing.
-    return result.common != right_alone && result.score < check.points && !check.hidden && !check.relation &&
-           !judge.free_rows && judge.plain_values && judge.look == Look::none && result.first_difference &&
-           !result.first_difference->question.empty();
+    return !result.beside && result.common != right_alone && result.score < check.points && !check.hidden &&
+           !check.relation && !judge.free_rows && judge.plain_values && judge.look == Look::none &&
+           result.first_difference && !result.first_difference->question.empty();
 }
 
 }

@@ -68,8 +68,12 @@ std::optional<Difference> difference(const Field& field)
 
 CheckResult check(const Field& field)
 {
-    field.allow_only({"name", "kind", "hard", "hidden", "unjudged", "score", "max_score", "error", "reference_error",
-                      "message", "metrics", "first_difference", "common", "simplest", "about", "headline", "sketch",
+    field.allow_only({"name",      "kind",     "hard",
+                      "hidden",    "unjudged", "score",
+                      "max_score", "error",    "reference_error",
+                      "message",   "metrics",  "first_difference",
+                      "common",    "beside",   "simplest",
+                      "about",     "headline", "sketch",
                       "artefacts", "seeds"});
     CheckResult result;
     result.name = text(field.member("name"));
@@ -88,6 +92,7 @@ CheckResult check(const Field& field)
     result.first_difference = difference(field.member("first_difference"));
     if (const Field simplest = field.member("simplest"); simplest.given()) result.simplest = difference(simplest);
     if (const Field common = field.member("common"); common.given()) result.common = text(common);
+    if (const Field beside = field.member("beside"); beside.given()) result.beside = beside.boolean();
     if (const Field about = field.member("about"); about.given()) result.about = text(about);
     if (const Field headline = field.member("headline"); headline.given()) result.headline = text(headline);
     if (const Field sketch = field.member("sketch"); sketch.given()) result.sketch = text(sketch);

@@ -187,7 +187,7 @@ std::vector<std::string> next_steps(const UnitResult& unit, const CheckResult* f
         case Verdict::not_implemented: break;
         default: {
             // To stop at a call that is answered rightly leads nowhere.
-            if (failing == nullptr && std::ranges::any_of(unit.checks, fails)) break;
+            if (failing == nullptr ? std::ranges::any_of(unit.checks, fails) : failing->beside) break;
             const std::string name =
                 failing != nullptr ? shell_word(failing->name.substr(0, failing->name.rfind('/'))) : "";
             steps.push_back(fmt::format("umbral debug {}{}{}{}", id, name.empty() ? "" : " ", name,

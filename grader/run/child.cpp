@@ -21,6 +21,7 @@
 #include <umbral/record/wire.hpp>
 
 #include "model/nearest.hpp"
+#include "run/companion.hpp"
 #include "run/descriptor.hpp"
 #include "run/emulated_calls.hpp"
 #include "run/fresh_memory.hpp"
@@ -55,7 +56,8 @@ struct Job {
     CostLimit costs;  ///< without a table all costs are worked on
     Inquiry inquiry;
     PassedOver passed_over;
-    unsigned mutant = 0;  ///< of a library that holds mutants, which only trusted ones do; 0 for none
+    std::optional<std::uint64_t> beside;  ///< as `stream`, of a case that runs beside this one
+    unsigned mutant = 0;                  ///< of a library that holds mutants, which only trusted ones do; 0 for none
     FreshMemory fresh_memory = FreshMemory::nonsense;  ///< what memory holds that was never written
 };
 
@@ -80,6 +82,7 @@ Job read_job(int file)
             {json.at("counted_table"), json.at("counted_sizes")},
             inquiry_from_json(json.at("inquiry")),
             {json.at("passed_over"), json.at("passed_over_functions"), json.at("end"), json.at("asked_only")},
+            json.at("beside").is_null() ? std::nullopt : std::optional<std::uint64_t>(json.at("beside")),
             json.at("mutant"),
             static_cast<FreshMemory>(json.at("fresh_memory").get<int>())};
 }
@@ -282,6 +285,11 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     Progress progress(header.asked, header.function, job.passed_over, end);
     Recorder recorder = asks_anything(job.inquiry) ? Recorder(questions) : Recorder(progress);
     recorded = &recorder;
+    std::optional<Companion> companion;
+    if (job.beside) {
+        companion.emplace(*one, Case{what.name, Random(*job.beside), what.sources, Variation(*job.beside)});
+        progress.at_each_question([&] { companion->take_turn(); });
+    }
     run_case(*one, what, recorder);
     recorder.finish();
     finish(header, recorder.tensors());

@@ -66,6 +66,7 @@ std::string job_text(const RunRequest& request)
         {"passed_over_functions", request.passed_over.functions},
         {"end", request.passed_over.end},
         {"asked_only", request.passed_over.only},
+        {"beside", request.beside ? nlohmann::json(*request.beside) : nlohmann::json()},
         {"mutant", request.mutant},
         {"fresh_memory", static_cast<int>(request.fresh_memory)},
         {"memory", static_cast<std::uint64_t>(request.limits.memory_mib) << 20U},

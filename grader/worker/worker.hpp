@@ -13,6 +13,7 @@
 #include "question/log.hpp"
 #include "run/spawner.hpp"
 #include "worker/check_basis.hpp"
+#include "worker/seeds.hpp"
 #include "worker/spare_time.hpp"
 
 namespace umbral::grader {
@@ -66,6 +67,16 @@ public:
     /// The same without some questions; of the recording is read, too, which rows lack an answer for that.
     [[nodiscard]] RunOutcome run_past(const Exercise& exercise, const Built& built, const std::string& case_name,
                                       std::uint64_t seed, const PassedOver& passed_over);
+
+    /// The same, while the case with the inputs of `beside` runs in turns with it in the same process, so that none of
+    /// its questions is the one after its last.
+    [[nodiscard]] RunOutcome run_beside(const Exercise& exercise, const Built& built, const std::string& case_name,
+                                        std::uint64_t seed, std::uint64_t beside)
+    {
+        RunRequest wanted = students_request(exercise, built, case_name, seed);
+        wanted.beside = stream_of(exercise, case_name, beside);
+        return spare_time_.spent_on(spawner(exercise.gl).run(wanted));
+    }
 
     /// Runs one case with a student's build, or with the reference if there is none, working on these counted costs
     /// only. Nothing is kept.

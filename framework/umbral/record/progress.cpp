@@ -14,6 +14,7 @@ Progress::Progress(std::uint32_t& asked, std::span<char> function, PassedOver pa
 
 bool Progress::begin(std::string_view function)
 {
+    if (turn_) turn_();
     const std::uint32_t question = asked_++;
     const std::size_t size = std::min(function.size(), function_.size() - 1);
     std::memcpy(function_.data(), function.data(), size);

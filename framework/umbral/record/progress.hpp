@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <umbral/record/tensor.hpp>
+#include <utility>
 #include <vector>
 
 namespace umbral {
@@ -36,6 +37,9 @@ public:
     /// ends the case with what is recorded, and does not return.
     Progress(std::uint32_t& asked, std::span<char> function, PassedOver passed_over, std::function<void()> end);
 
+    /// Has `turn` called whenever a question begins: what runs beside this one takes its turn then.
+    void at_each_question(std::function<void()> turn) { turn_ = std::move(turn); }
+
     /// The next question begins, a call of `function`. True if it is to be passed over.
     bool begin(std::string_view function);
     /// Ends the case: what was asked has no empty answer, and what follows needs one.
@@ -51,6 +55,7 @@ private:
     std::span<char> function_;
     PassedOver passed_over_;
     std::function<void()> end_;
+    std::function<void()> turn_{};
     bool passes_over_ = false;
     unsigned stubs_before_ = 0;  ///< how often a stub had been reached when the question began
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> lost_;

@@ -1,0 +1,65 @@
+#include "unit/beside_itself.hpp"
+
+#include <algorithm>
+
+#include "explain/asked_alone.hpp"
+#include "judge/judges.hpp"
+#include "worker/seeds.hpp"
+
+namespace umbral::grader {
+namespace {
+
+/// Longer ones make people wait, and what is kept shows in short ones as well.
+constexpr double most_seconds = 1;
+
+/// The places of a case's checks; none if it cannot be asked so.
+std::vector<std::size_t> checks_of(const Exercise& exercise, const std::string& name, const UnitResult& result)
+{
+    std::vector<std::size_t> places;
+    bool some_right = false;
+    for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
+        const Check& check = exercise.checks[i];
+        if (check.case_name != name) continue;
+        if (judge_of(check).counts_work || judge_of(check).judge_both != nullptr) return {};
+        places.push_back(i);
+        some_right = some_right || result.checks[i].score == check.points;
+    }
+    return some_right ? places : std::vector<std::size_t>();
+}
+
+}
+
+void expect_the_same_beside_others(Worker& worker, const Exercise& exercise, const Built& built, CaseResults& cases,
+                                   const GradeOptions& options, UnitResult& result)
+{
+    if (!exercise.is_cpp() || exercise.gl || exercise.glfw) return;
+    for (auto& [name, one] : cases) {
+        if (one.hidden || !one.reached || one.student.verdict != Verdict::ok || one.student.wall_seconds > most_seconds)
+            continue;
+        const std::vector<std::size_t> places = checks_of(exercise, name, result);
+        if (places.empty() || !may_repeat(worker, exercise, one)) continue;
+        const std::uint64_t other = options.seeds.two_seeds_of(exercise, name).second;
+        CaseResult beside = one;
+        beside.student = worker.run_beside(exercise, built, name, one.seed, other);
+        if (beside.student.verdict != Verdict::ok) continue;
+        std::vector<CheckResult> judged;
+        bool worse = false;
+        for (const std::size_t i : places) {
+            const Check& check = exercise.checks[i];
+            const RunOutcome& expected = worker.trusted(exercise, judged_against(check), name, one.seed);
+            judged.push_back(judge_check(check, beside, expected, worker.basis(exercise, check, one.seed)));
+            worse = worse || judged.back().score < result.checks[i].score;
+        }
+        if (!worse) continue;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            CheckResult& before = result.checks[places[i]];
+            if (judged[i].score >= before.score) continue;
+            before = std::move(judged[i]);
+            before.beside = true;
+            before.common = right_without_others;
+        }
+        one.student = std::move(beside.student);
+    }
+}
+
+}

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "unit/grade_unit.hpp"
+#include "worker/case_results.hpp"
+#include "worker/worker.hpp"
+
+namespace umbral::grader {
+
+/// Asks visible cases of which some check is all right once more, each beside itself with other inputs: two drivers
+/// take turns, question by question (run/companion.hpp). Where an answer is wrong then, the code keeps something from
+/// one call to the next that only answers right as long as nobody else asks: what the case earns is what that run
+/// earns, and it takes the place of the first one in `cases`.
+///
+/// A run that crashes, or does not end, proves nothing and changes nothing. Work that is counted or judged by chance is
+/// left alone, so is what draws or answers events: OpenGL and a window are there once. Takes spare time.
+void expect_the_same_beside_others(Worker& worker, const Exercise& exercise, const Built& built, CaseResults& cases,
+                                   const GradeOptions& options, UnitResult& result);
+
+}
