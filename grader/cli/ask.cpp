@@ -101,11 +101,9 @@ void ask(Application& application, const AskOptions& options)
 
 }
 
-void add_ask(Command parser, Application& application)
+void add_ask(Command command, Application& application)
 {
     auto options = std::make_shared<AskOptions>();
-    const Command command =
-        parser.command("ask", "Asks your file, the reference and the oracle one question that a report shows");
     command.option("UNIT", options->unit, "Which unit").required();
     command.option("QUESTION", options->question, "A call with its arguments, in quotes, as a report shows it");
     command.option("--file", options->file, "A file with the question");

@@ -182,10 +182,9 @@ void check(Application& application, const CheckOptions& options)
 
 }
 
-void add_check(Command parser, Application& application)
+void add_check(Command command, Application& application)
 {
     auto options = std::make_shared<CheckOptions>();
-    const Command command = parser.command("check", "Checks your units against the reference, here and offline");
     command.option("UNIT", options->units, "Only these units, as raytracing/sphere or sphere");
     command.option("--dir", options->folder, "The workspace").with_default();
     command.option("--file", options->file,

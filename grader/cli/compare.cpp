@@ -185,10 +185,9 @@ void run(Application& application, const CompareOptions& options)
 
 }
 
-void add_compare(Command parser, Application& application)
+void add_compare(Command command, Application& application)
 {
     auto options = std::make_shared<CompareOptions>();
-    const Command command = parser.command("compare", "Compares two PNG files as a check of a picture would");
     command.option("YOURS", options->yours, "The picture in question").required();
     command.option("REFERENCE", options->reference, "The picture that is right").required();
     command.flag(

@@ -142,11 +142,9 @@ void debug(const Application& application, const DebugOptions& options)
 
 }
 
-void add_debug(Command parser, Application& application)
+void add_debug(Command command, Application& application)
 {
     auto options = std::make_shared<DebugOptions>();
-    const Command command =
-        parser.command("debug", "Runs one case under gdb: an ordinary program, without sandbox and limits");
     command.option("UNIT", options->unit, "Which unit").required();
     command.option("CASE", options->case_name, "Which case; the first if not given");
     command.option("--dir", options->folder, "The workspace").with_default();

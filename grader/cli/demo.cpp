@@ -20,11 +20,9 @@ std::filesystem::path demo_secret(const Application& application)
 
 }
 
-void add_demo(Command parser, Application& application)
+void add_demo(Command command, Application& application)
 {
     auto out = std::make_shared<std::string>("out/demo");
-    const Command command =
-        parser.command("demo", "Grades the sample class: ten submissions, from flawless to hostile");
     command.option("--out", *out, "Where reports go").with_default();
     command.runs([&application, out] {
         if (!std::filesystem::is_directory(application.layout.samples))

@@ -116,12 +116,10 @@ std::vector<Symptom> examine(const Application& application)
 
 }
 
-void add_doctor(Command parser, Application& application)
+void add_doctor(Command command, Application& application)
 {
     auto json = std::make_shared<bool>(false);
     auto attack = std::make_shared<bool>(false);
-    const Command command = parser.command(
-        "doctor", "Looks at this machine: compiler, OpenGL, sandbox; a remedy for each thing that is missing");
     command.flag("--json", *json, "As JSON");
     command
         .flag("--attack", *attack,

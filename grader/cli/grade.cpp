@@ -187,10 +187,9 @@ void grade_and_print(Application& application, const GradeCommand& command)
     }
 }
 
-void add_grade(Command parser, Application& application)
+void add_grade(Command command, Application& application)
 {
     auto options = std::make_shared<GradeCommand>();
-    const Command command = parser.command("grade", "Grades a class: a folder with one folder a submission");
     command.option("CLASS_DIR", options->submissions, "The class").required();
     command.option("--out", options->out, "Where reports go").required();
     command.option("--only", options->only, "Only these submissions, by id; the others' results stay as they are");

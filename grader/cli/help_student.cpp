@@ -83,7 +83,7 @@ void reset_unit(const Application& application, const std::string& unit, const s
 
 }
 
-void add_hint(Command parser, Application& application)
+void add_hint(Command command, Application& application)
 {
     struct Options {
         std::string unit;
@@ -91,7 +91,6 @@ void add_hint(Command parser, Application& application)
         std::string language = "en";
     };
     auto options = std::make_shared<Options>();
-    const Command command = parser.command("hint", "Shows a hint for a unit, each a step more than the one before");
     command.option("UNIT", options->unit, "Which unit").required();
     command.option("STEP", options->step, "Which hint").with_default();
     command.option("--language", options->language, "Of the hint").one_of({"en", "es"}).with_default();
@@ -100,14 +99,13 @@ void add_hint(Command parser, Application& application)
     });
 }
 
-void add_reset(Command parser, Application& application)
+void add_reset(Command command, Application& application)
 {
     struct Options {
         std::string unit;
         std::string folder = ".";
     };
     auto options = std::make_shared<Options>();
-    const Command command = parser.command("reset", "Puts a unit's stub back; your file is kept beside it");
     command.option("UNIT", options->unit, "Which unit").required();
     command.option("--dir", options->folder, "The workspace").with_default();
     command.runs(

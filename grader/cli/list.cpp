@@ -134,7 +134,7 @@ nlohmann::json as_json(const std::vector<Exercise>& exercises)
 
 }
 
-void add_list(Command parser, Application& application)
+void add_list(Command command, Application& application)
 {
     struct Options {
         bool json = false;
@@ -143,7 +143,6 @@ void add_list(Command parser, Application& application)
         std::string html;
     };
     auto options = std::make_shared<Options>();
-    const Command command = parser.command("list", "Shows all units in an order that a student can follow");
     command.flag("--json", options->json, "As JSON");
     command.option("--language", options->language, "Of the titles").one_of({"en", "es"}).with_default();
     command.flag("--markdown", options->markdown, "As a page of Markdown, which docs/units.md is");

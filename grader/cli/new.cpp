@@ -74,11 +74,9 @@ void make_workspace(const Application& application, const NewOptions& options)
 
 }
 
-void add_new(Command parser, Application& application)
+void add_new(Command command, Application& application)
 {
     auto options = std::make_shared<NewOptions>();
-    const Command command =
-        parser.command("new", "Makes a workspace: stubs, statements and goal pictures. Never overwrites your code");
     command.option("DIR", options->folder, "Where").required();
     command.option("UNIT", options->units, "Only these units");
     command.runs([&application, options] { make_workspace(application, *options); });

@@ -8,10 +8,8 @@ namespace umbral::grader {
 
 // The engine is the reference, which the grader must not hold: it is a program of its own, with its own options and its
 // own --help.
-void add_render(Command parser, Application& application)
+void add_render(Command command, Application& application)
 {
-    const Command command =
-        parser.command("render", "Draws a scene with the reference engine: umbral render SCENE.json --out PNG");
     command.passes_words_on();
     command.runs([&application, command] {
         std::vector<std::string> words = {have_program(application, "umbral-render").string()};

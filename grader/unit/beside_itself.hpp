@@ -12,7 +12,8 @@ namespace umbral::grader {
 /// earns, and it takes the place of the first one in `cases`.
 ///
 /// A run that crashes, or does not end, proves nothing and changes nothing. Work that is counted or judged by chance is
-/// left alone, so is what draws or answers events: OpenGL and a window are there once. Takes spare time.
+/// left alone, and so are cases that draw, and units that call OpenGL or answer events: a context and a window
+/// are there once. Takes spare time.
 void expect_the_same_beside_others(Worker& worker, const Exercise& exercise, const Built& built, CaseResults& cases,
                                    const GradeOptions& options, UnitResult& result);
 

@@ -198,10 +198,13 @@ void record_coordinates(Random& random, Recorder& out)
         record(hills(columns, rows, random).positions, strips);
     }
     for (int mesh = 0; mesh < 8; ++mesh) {
+        // Every other one has as many positions and strips as the last such one, of other lengths.
+        const bool alike = mesh % 2 == 1;
         std::vector<glm::vec3> positions;
-        for (std::uint32_t left = 40 + random.below(40); left > 0; --left) positions.push_back(random.in_cube());
+        for (std::uint32_t left = alike ? 50 : 40 + random.below(40); left > 0; --left)
+            positions.push_back(random.in_cube());
         std::vector<Strip> strips;
-        for (std::uint32_t left = random.below(6); left > 0; --left)
+        for (std::uint32_t left = alike ? 4 : random.below(6); left > 0; --left)
             strips.push_back(random_strip(random, random.below(12)));
         record(positions, strips);
     }

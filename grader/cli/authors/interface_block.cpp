@@ -1,4 +1,4 @@
-#include "cli/interface_block.hpp"
+#include "cli/authors/interface_block.hpp"
 
 #include <fmt/format.h>
 

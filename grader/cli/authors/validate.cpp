@@ -11,8 +11,8 @@
 
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
-#include "cli/commands.hpp"
-#include "cli/mutants.hpp"
+#include "cli/authors/commands.hpp"
+#include "cli/authors/mutants.hpp"
 #include "cli/paths.hpp"
 #include "report/paint.hpp"
 #include "validate/validation_table.hpp"
@@ -108,11 +108,9 @@ void validate(Application& application, const ValidateOptions& options)
 
 }
 
-void add_validate(Command parser, Application& application)
+void add_validate(Command command, Application& application)
 {
     auto options = std::make_shared<ValidateOptions>();
-    const Command command =
-        parser.command("validate", "For authors and CI: proves that each unit's checks tell right from wrong");
     command.option("UNIT", options->units, "Only these units");
     command.option("--seeds", options->seeds, "How many sets of random inputs").between(1, most_seeds).with_default();
     command.option("--jobs", options->jobs, "How many at a time").between(1, most_jobs).with_default();

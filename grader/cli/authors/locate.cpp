@@ -8,7 +8,7 @@
 #include "cli/application.hpp"
 #include "cli/built_work.hpp"
 #include "cli/checkout.hpp"
-#include "cli/commands.hpp"
+#include "cli/authors/commands.hpp"
 #include "mutants/repair_words.hpp"
 #include "mutants/try_repairs.hpp"
 #include "report/layout.hpp"
@@ -114,11 +114,9 @@ void locate(Application& application, const LocateOptions& options)
 
 }
 
-void add_locate(Command parser, Application& application)
+void add_locate(Command command, Application& application)
 {
     auto options = std::make_shared<LocateOptions>();
-    const Command command =
-        parser.command("locate", "Looks for the line of your file where a small change would make wrong checks right");
     command.option("UNIT", options->unit, "Which unit").required();
     command.option("--dir", options->folder, "The workspace").with_default();
     command.flag("--show", options->show, "Also says which change");

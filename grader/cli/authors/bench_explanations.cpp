@@ -10,7 +10,7 @@
 #include "bench/held_out.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
-#include "cli/commands.hpp"
+#include "cli/authors/commands.hpp"
 #include "cli/paths.hpp"
 #include "worker/crew.hpp"
 

@@ -1,4 +1,4 @@
-#include "cli/benchmarks.hpp"
+#include "cli/authors/benchmarks.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/application.hpp"
-#include "cli/commands.hpp"
-#include "cli/interface_block.hpp"
+#include "cli/authors/commands.hpp"
+#include "cli/authors/interface_block.hpp"
 #include "cli/paths.hpp"
 #include "collect/sources.hpp"
 #include "manifest/exercise_schema.hpp"
@@ -79,11 +79,9 @@ void refresh(Application& application, const RefreshOptions& options)
 
 }
 
-void add_refresh(Command parser, Application& application)
+void add_refresh(Command command, Application& application)
 {
     auto options = std::make_shared<RefreshOptions>();
-    const Command command = parser.command(
-        "refresh", "For authors: writes anew what is made: statements' interface blocks, the schema of manifests");
     command.option("UNIT", options->units, "Only these units");
     command.flag("--check", options->check, "Write nothing; say what is not up to date");
     command.runs([&application, options] { refresh(application, *options); });

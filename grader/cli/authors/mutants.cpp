@@ -1,4 +1,4 @@
-#include "cli/mutants.hpp"
+#include "cli/authors/mutants.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include "bench/unforeseen/unforeseen.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
-#include "cli/commands.hpp"
+#include "cli/authors/commands.hpp"
 #include "worker/crew.hpp"
 
 namespace umbral::grader {

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "cli/application.hpp"
-#include "cli/benchmarks.hpp"
+#include "cli/authors/benchmarks.hpp"
 #include "cli/checkout.hpp"
-#include "cli/commands.hpp"
+#include "cli/authors/commands.hpp"
 #include "cli/replace_process.hpp"
 #include "model/nearest.hpp"
 
@@ -67,10 +67,8 @@ std::string program_of(const Application& application, const Benchmark& benchmar
 
 // What measures the grader itself are commands; all else is a program of its own, with options of its own, that knows
 // what the grader must not hold: the reference.
-void add_bench(Command parser, Application& application)
+void add_bench(Command command, Application& application)
 {
-    const Command command = parser.command(
-        "bench", "Prints the figures of the documents, measured here: umbral bench NAME; without a name, lists them");
     command.passes_words_on();
     add_bench_explanations(command, application);
     add_bench_judges(command, application);

@@ -11,7 +11,7 @@
 #include "bench/judges/unit_pairs.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
-#include "cli/commands.hpp"
+#include "cli/authors/commands.hpp"
 #include "cli/paths.hpp"
 #include "judge/judges.hpp"
 #include "model/scratch.hpp"

@@ -1,4 +1,4 @@
-#include "cli/unit_template.hpp"
+#include "cli/authors/unit_template.hpp"
 
 #include <fmt/format.h>
 

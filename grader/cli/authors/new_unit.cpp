@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "cli/application.hpp"
-#include "cli/commands.hpp"
-#include "cli/interface_block.hpp"
+#include "cli/authors/commands.hpp"
+#include "cli/authors/interface_block.hpp"
 #include "cli/paths.hpp"
-#include "cli/unit_template.hpp"
+#include "cli/authors/unit_template.hpp"
 #include "collect/sources.hpp"
 #include "manifest/statements.hpp"
 
@@ -78,11 +78,9 @@ void make_unit(const Application& application, const std::string& id)
 
 }
 
-void add_new_unit(Command parser, Application& application)
+void add_new_unit(Command command, Application& application)
 {
     auto id = std::make_shared<std::string>();
-    const Command command = parser.command(
-        "new-unit", "For authors: writes all files of a new unit, which validates at once. Overwrites nothing");
     command.option("TOPIC/NAME", *id, "What it is called; the topic may be new").required();
     command.runs([&application, id] { make_unit(application, *id); });
 }
