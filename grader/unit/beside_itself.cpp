@@ -12,19 +12,18 @@ namespace {
 /// Longer ones make people wait, and what is kept shows in short ones as well.
 constexpr double most_seconds = 1;
 
-/// The places of a case's checks; none if it cannot be asked so.
+/// The places of a case's checks; none if it cannot be asked so, or if there is something wrong with it as it is.
 std::vector<std::size_t> checks_of(const Exercise& exercise, const std::string& name, const UnitResult& result)
 {
     std::vector<std::size_t> places;
-    bool some_right = false;
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
         if (check.case_name != name) continue;
         if (judge_of(check).counts_work || judge_of(check).judge_both != nullptr) return {};
+        if (result.checks[i].score < check.points) return {};
         places.push_back(i);
-        some_right = some_right || result.checks[i].score == check.points;
     }
-    return some_right ? places : std::vector<std::size_t>();
+    return places;
 }
 
 /// OpenGL is there once, for both: of a unit that draws, only cases that leave no picture.

@@ -6,7 +6,7 @@
 
 namespace umbral::grader {
 
-/// Asks visible cases of which some check is all right once more, each beside itself with other inputs: two drivers
+/// Asks visible cases that are all right once more, each beside itself with other inputs: two drivers
 /// take turns, question by question (run/companion.hpp). Where an answer is wrong then, the code keeps something from
 /// one call to the next that only answers right as long as nobody else asks: what the case earns is what that run
 /// earns, and it takes the place of the first one in `cases`.
