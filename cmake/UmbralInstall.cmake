@@ -3,7 +3,8 @@
 #   umbral              what students get: programs, units compiled, statements, stubs, interface headers. No source of
 #                       an answer
 #   umbral-instructor   beside it: the sources of reference, drivers, mistakes and alternatives, the sample class,
-#                       attacks for `umbral doctor --attack`, and the programs that hold the reference's engine
+#                       attacks for `umbral doctor --attack`, the commands of authors, and the programs that hold the
+#                       reference's engine
 #
 # Below the prefix lie bin/umbral (a link), lib/umbral (bin, lib, units, as in a build) and share/umbral (exercises,
 # framework, …, as in a checkout); grader/cli/layout.hpp finds them from the program's own place. All names below the
@@ -43,7 +44,8 @@ add_custom_command(OUTPUT ${packaged}/made
   COMMAND ${CMAKE_COMMAND} -E touch ${packaged}/made
   DEPENDS umbral-pack ${read} ${shaders} COMMENT "Writing down what packages hold of the units" VERBATIM)
 add_custom_target(packaged DEPENDS ${packaged}/made)
-add_custom_target(installable DEPENDS program packaged umbral-render umbral-bench-accuracy umbral-bench-scenes)
+add_custom_target(installable DEPENDS program packaged umbral-debug umbral-debug-gl umbral-authors umbral-render
+  umbral-bench-accuracy umbral-bench-scenes)
 
 foreach(program umbral umbral-spawner umbral-spawner-gl umbral-confine umbral-inspect umbral-unpack umbral-debug
     umbral-debug-gl)
@@ -63,7 +65,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/umbral RENAME 
 install(FILES ${PROJECT_SOURCE_DIR}/docs/students.md ${PROJECT_SOURCE_DIR}/docs/glossary.md
   DESTINATION share/doc/umbral ${students})
 
-foreach(program umbral-render umbral-bench-accuracy umbral-bench-scenes)
+foreach(program umbral-authors umbral-render umbral-bench-accuracy umbral-bench-scenes)
   install(PROGRAMS $<TARGET_FILE:${program}> DESTINATION ${private}/bin ${instructors})
 endforeach()
 get_property(painters GLOBAL PROPERTY UMBRAL_BENCH_SCENES_BUILDS)

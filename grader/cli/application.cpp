@@ -164,7 +164,7 @@ void Application::warn_of_broken() const
         fmt::print(stderr, "umbral: warning: {}\n", Paint(style).safe(cannot_be_read(unit)));
 }
 
-Application make_application()
+Application make_application_without_units()
 {
     Application application;
     application.layout = own_layout();
@@ -179,10 +179,16 @@ Application make_application()
                          .cache = cache,
                          .compiler = config::compiler,
                          .flags = words(config::student_flags)};
+    application.style = style_of_terminal();
+    return application;
+}
+
+Application make_application()
+{
+    Application application = make_application_without_units();
     Units units = load_units(application.tools.exercises);
     application.exercises = std::move(units.exercises);
     application.broken = std::move(units.broken);
-    application.style = style_of_terminal();
     return application;
 }
 

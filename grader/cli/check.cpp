@@ -16,7 +16,7 @@
 #include "cli/commands.hpp"
 #include "cli/paths.hpp"
 #include "cli/watch.hpp"
-#include "mutants/build_mutants.hpp"
+#include "model/one_cpp_file.hpp"
 #include "report/html/pages.hpp"
 
 namespace umbral::grader {
@@ -60,7 +60,7 @@ std::string how_to_locate(const Application& application, const std::vector<Exer
     for (const UnitResult& unit : result.units) {
         const auto exercise = std::ranges::find(exercises, unit.id, &Exercise::id);
         const bool wrong = unit.verdict == Verdict::partial || unit.verdict == Verdict::wrong;
-        if (wrong && unit.explanations.empty() && exercise != exercises.end() && can_have_mutants(*exercise))
+        if (wrong && unit.explanations.empty() && exercise != exercises.end() && is_one_cpp_file(*exercise))
             text += fmt::format("`umbral locate {}` looks for the line of your file that is wrong.\n", exercise->name);
     }
     return text.empty() ? text : "\n" + text;

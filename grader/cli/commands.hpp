@@ -8,34 +8,51 @@ namespace umbral::grader {
 
 struct Application;
 
-// Each adds one command to the program; the application must outlive the command line. A new command is a file with
-// such a function, its declaration, and its place in the order of --help.
-void add_list(Command parser, Application& application);
-void add_new(Command parser, Application& application);
-void add_new_unit(Command parser, Application& application);
-void add_check(Command parser, Application& application);
-void add_hint(Command parser, Application& application);
-void add_reset(Command parser, Application& application);
-void add_ask(Command parser, Application& application);
-void add_locate(Command parser, Application& application);
-void add_debug(Command parser, Application& application);
-void add_render(Command parser, Application& application);
-void add_compare(Command parser, Application& application);
-void add_grade(Command parser, Application& application);
-void add_demo(Command parser, Application& application);
-void add_validate(Command parser, Application& application);
-void add_refresh(Command parser, Application& application);
-void add_bench(Command parser, Application& application);
-void add_doctor(Command parser, Application& application);
+// Each declares what one command takes, and what it does; the application must outlive the command line. A new command
+// is a file with such a function, its declaration, and its line in the table below. Those of authors have theirs in
+// authors/commands.hpp.
+void add_list(Command command, Application& application);
+void add_new(Command command, Application& application);
+void add_check(Command command, Application& application);
+void add_hint(Command command, Application& application);
+void add_reset(Command command, Application& application);
+void add_ask(Command command, Application& application);
+void add_debug(Command command, Application& application);
+void add_render(Command command, Application& application);
+void add_compare(Command command, Application& application);
+void add_grade(Command command, Application& application);
+void add_demo(Command command, Application& application);
+void add_doctor(Command command, Application& application);
+
+/// A command as --help lists it.
+struct ListedCommand {
+    const char* name;
+    const char* summary;
+    void (*add)(Command command, Application& application) = nullptr;  ///< null: the program umbral-authors has it
+};
 
 /// All commands, in the order of --help.
-inline constexpr std::array add_commands{add_list, add_new,      add_new_unit, add_check,  add_hint,    add_reset,
-                                         add_ask,  add_locate,   add_debug,    add_render, add_compare, add_grade,
-                                         add_demo, add_validate, add_refresh,  add_bench,  add_doctor};
-
-// Added to the command bench.
-void add_bench_explanations(Command bench, Application& application);
-void add_bench_judges(Command bench, Application& application);
-void add_bench_unforeseen(Command bench, Application& application);
+inline constexpr std::array all_commands{
+    ListedCommand{"list", "Shows all units in an order that a student can follow", add_list},
+    ListedCommand{"new", "Makes a workspace: stubs, statements and goal pictures. Never overwrites your code", add_new},
+    ListedCommand{"new-unit",
+                  "For authors: writes all files of a new unit, which validates at once. Overwrites nothing"},
+    ListedCommand{"check", "Checks your units against the reference, here and offline", add_check},
+    ListedCommand{"hint", "Shows a hint for a unit, each a step more than the one before", add_hint},
+    ListedCommand{"reset", "Puts a unit's stub back; your file is kept beside it", add_reset},
+    ListedCommand{"ask", "Asks your file, the reference and the oracle one question that a report shows", add_ask},
+    ListedCommand{"locate", "Looks for the line of your file where a small change would make wrong checks right"},
+    ListedCommand{"debug", "Runs one case under gdb: an ordinary program, without sandbox and limits", add_debug},
+    ListedCommand{"render", "Draws a scene with the reference engine: umbral render SCENE.json --out PNG", add_render},
+    ListedCommand{"compare", "Compares two PNG files as a check of a picture would", add_compare},
+    ListedCommand{"grade", "Grades a class: a folder with one folder a submission", add_grade},
+    ListedCommand{"demo", "Grades the sample class: ten submissions, from flawless to hostile", add_demo},
+    ListedCommand{"validate", "For authors and CI: proves that each unit's checks tell right from wrong"},
+    ListedCommand{"refresh",
+                  "For authors: writes anew what is made: statements' interface blocks, the schema of manifests"},
+    ListedCommand{"bench",
+                  "Prints the figures of the documents, measured here: umbral bench NAME; without a name, lists them"},
+    ListedCommand{"doctor", "Looks at this machine: compiler, OpenGL, sandbox; a remedy for each thing that is missing",
+                  add_doctor}};
 
 }

@@ -32,7 +32,7 @@ struct CompareOptions {
     bool json = false;
 };
 
-Image read(const std::string& path)
+Image read_picture(const std::string& path)
 {
     try {
         return read_png(path);
@@ -164,8 +164,8 @@ void run(Application& application, const CompareOptions& options)
     Check check;
     check.name = "compare";
     check.judge = image_kind();
-    const Tensor yours = as_tensor(read(options.yours));
-    const Tensor reference = as_tensor(read(options.reference));
+    const Tensor yours = as_tensor(read_picture(options.yours));
+    const Tensor reference = as_tensor(read_picture(options.reference));
     const Found found = compare(check, yours, reference, options);
     if (!options.html.empty()) {
         html::CheckDetail detail;

@@ -127,7 +127,7 @@ void debug(const Application& application, const DebugOptions& options)
         for (std::string& command : commands) words.insert(words.end(), {"-ex", std::move(command)});
         words.emplace_back("--args");
     }
-    words.push_back((application.tools.programs / (exercise.gl ? "umbral-debug-gl" : "umbral-debug")).string());
+    words.push_back(have_program(application, exercise.gl ? "umbral-debug-gl" : "umbral-debug").string());
     for (const std::string& word :
          {(unit_folder(application.tools, exercise.id) / "driver.so").string(), work.built.library.string(), chosen,
           std::to_string(stream), fs::absolute(sources).string()})

@@ -10,7 +10,7 @@
 
 #include "cli/application.hpp"
 #include "cli/commands.hpp"
-#include "cli/doctor_attacks.hpp"
+#include "cli/hand_over.hpp"
 #include "report/paint.hpp"
 #include "worker/fingerprint.hpp"
 
@@ -126,7 +126,7 @@ void add_doctor(Command command, Application& application)
               "Instead: grades hostile submissions that do no harm, and says of each whether this machine held")
         .excludes("--json");
     command.runs([&application, json, attack] {
-        if (*attack) return attack_this_machine(application);
+        if (*attack) hand_over_to_authors(application, {"doctor", "--attack"});
         const std::vector<Symptom> symptoms = examine(application);
         const Paint paint(application.style);
         nlohmann::json rows = nlohmann::json::array();

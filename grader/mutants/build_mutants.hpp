@@ -10,12 +10,6 @@
 
 namespace umbral::grader {
 
-/// Mutants are of one C++ file: is the unit one?
-[[nodiscard]] inline bool can_have_mutants(const Exercise& exercise)
-{
-    return exercise.is_cpp() && exercise.files.size() == 1;
-}
-
 /// A source's mutants, compiled into one library.
 struct BuiltMutants {
     std::vector<Mutant> mutants;

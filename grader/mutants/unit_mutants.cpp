@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 
+#include "model/one_cpp_file.hpp"
 #include "model/scratch.hpp"
 #include "mutants/build_mutants.hpp"
 #include "worker/known_solutions.hpp"
@@ -99,7 +100,7 @@ void try_units(Crew& crew, MutantFamily family, const std::filesystem::path& fin
                std::span<const Exercise> exercises, unsigned seed, const std::function<void(const UnitMutants&)>& done)
 {
     for (const Exercise& exercise : exercises) {
-        if (!can_have_mutants(exercise)) continue;
+        if (!is_one_cpp_file(exercise)) continue;
         try {
             done(try_unit(crew, family, finder, exercise, seed));
         } catch (const std::exception& error) {

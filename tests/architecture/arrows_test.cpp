@@ -47,6 +47,14 @@ std::string part(const fs::path& path, int n)
     return at == path.end() ? "" : at->string();
 }
 
+/// The layer of the grader that a path belongs to, which begins with the layer's folder. A folder of its own: what
+/// needs most of the others, so that the rest of cli need not.
+std::string grader_layer(const fs::path& path)
+{
+    const std::string layer = part(path, 0);
+    return layer == "cli" && part(path, 1) == "authors" ? "cli/authors" : layer;
+}
+
 using Layers = std::map<std::string, std::set<std::string>>;
 
 // "mesh.hpp" beside the file belongs to the file's own layer; "../x.hpp" would hide where it goes.
@@ -74,13 +82,16 @@ TEST(Arrows, of_the_grader)
         {"attack", {"model"}},
         {"cli",
          {"model", "manifest", "run", "store", "collect", "build", "judge", "question", "report", "worker", "unit",
-          "class", "validate", "mutants", "bench", "attack"}}};
+          "class"}},
+        {"cli/authors",
+         {"cli", "model", "manifest", "run", "store", "collect", "build", "judge", "question", "report", "worker",
+          "unit", "class", "validate", "mutants", "bench", "attack"}}};
     std::size_t seen = 0;
     for (const Include& include : includes_below("grader")) {
-        const std::string layer = part(include.line.file, 1);
+        const std::string layer = grader_layer(fs::path(include.line.file).lexically_relative("grader"));
         ASSERT_TRUE(may_include.contains(layer)) << "a layer nobody declared: " << include.line.where();
         if (include.system) continue;
-        const std::string target = part(include.target, 0);
+        const std::string target = grader_layer(include.target);
         ++seen;
         EXPECT_TRUE(target == layer || target == "text" || may_include.at(layer).contains(target))
             << include.line.where();

@@ -1,4 +1,4 @@
-#include "cli/benchmarks.hpp"
+#include "cli/authors/benchmarks.hpp"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>

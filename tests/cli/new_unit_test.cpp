@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "cli/application.hpp"
-#include "cli/commands.hpp"
-#include "cli/unit_template.hpp"
+#include "cli/authors/commands.hpp"
+#include "cli/authors/unit_template.hpp"
 #include "manifest/units.hpp"
 #include "support/printed.hpp"
 #include "support/temporary_folder.hpp"
@@ -26,8 +26,9 @@ struct Checkout {
     Checkout()
     {
         const fs::path source = application.layout.data;
-        fs::create_directories(folder / "grader/cli");
-        fs::copy(source / "grader/cli/templates", folder / "grader/cli/templates", fs::copy_options::recursive);
+        const fs::path templates = "grader/cli/authors/templates";
+        fs::create_directories((folder / templates).parent_path());
+        fs::copy(source / templates, folder / templates, fs::copy_options::recursive);
         fs::copy(source / "framework", folder / "framework", fs::copy_options::recursive);
         fs::create_directories(folder / "exercises/raytracing");
         fs::create_directories(folder / "reference/bench");
@@ -40,7 +41,7 @@ struct Checkout {
     std::string new_unit(const std::string& id)
     {
         CommandLine program("umbral", "", "");
-        add_new_unit(program.program(), application);
+        add_new_unit(program.program().command("new-unit", ""), application);
         testing::internal::CaptureStdout();
         std::string complaint;
         try {
@@ -166,7 +167,7 @@ TEST(NewUnit, without_its_reference_is_an_error_that_names_the_file)
     checkout.application.tools.reference = checkout.folder / "reference";
     checkout.application.exercises = {load_exercise(checkout.folder / "exercises/shadows/one")};
     CommandLine program("umbral", "", "");
-    add_validate(program.program(), checkout.application);
+    add_validate(program.program().command("validate", ""), checkout.application);
     testing::internal::CaptureStdout();
     EXPECT_EQ(program.run("validate shadows/one"), "");
     const std::string printed = testing::internal::GetCapturedStdout();

@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "cli/application.hpp"
+#include "cli/authors/interface_block.hpp"
 #include "cli/commands.hpp"
-#include "cli/interface_block.hpp"
 #include "collect/sources.hpp"
 #include "manifest/statement_table.hpp"
 #include "manifest/statements.hpp"
@@ -159,7 +159,7 @@ TEST(Statements, show_their_interfaces_as_they_are)
 std::string hint_of(Application& application, const std::string& line)
 {
     CommandLine program("umbral", "", "");
-    add_hint(program.program(), application);
+    add_hint(program.program().command("hint", ""), application);
     testing::internal::CaptureStdout();
     EXPECT_EQ(program.run(line), "");
     return testing::internal::GetCapturedStdout();

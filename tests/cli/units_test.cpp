@@ -45,7 +45,7 @@ struct Course {
 std::string printed_by(Course& course, void (*add)(Command, Application&), const std::string& line)
 {
     CommandLine program("umbral", "", "");
-    add(program.program(), course.application);
+    add(program.program().command(line.substr(0, line.find(' ')), ""), course.application);
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     std::string complaint;

@@ -58,6 +58,14 @@ mkdir -p "$work/project/build/release/units/meshes/area" "$work/project/exercise
 (cd "$work/project" && ./umbral list) >"$work/printed" 2>&1 || true
 expect "units that were built are built again, with mistakes or without" grep -q 'cmake --build --preset release --target program answers-meshes-area unit-meshes-weld *$' "$work/calls"
 
+# So are programs of commands that not everybody calls, once one was called.
+mkdir -p "$work/project/build/release/bin"
+: >"$work/project/build/release/bin/umbral-authors"
+: >"$work/project/build/release/bin/umbral-debug-gl"
+(cd "$work/project" && ./umbral list) >"$work/printed" 2>&1 || true
+expect "programs that were built are built again" grep -q 'cmake --build --preset release --target program umbral-authors umbral-debug-gl answers-meshes-area' "$work/calls"
+rm "$work/project/build/release/bin/umbral-authors" "$work/project/build/release/bin/umbral-debug-gl"
+
 # A command of that name will do instead of its package; without one the package is installed.
 : >"$work/calls"
 (cd "$work/project" && ./umbral test) >"$work/printed" 2>&1 || true

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "cli/benchmarks.hpp"
+#include "cli/authors/benchmarks.hpp"
 #include "readme/commands.hpp"
 #include "support/all_tests.hpp"
 #include "support/printed.hpp"

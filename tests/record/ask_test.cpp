@@ -179,10 +179,7 @@ TEST(Ask, passes_on_what_is_written_to)
     std::vector<float> list = {9};
     const auto tensors = asked(first_two, [&](Recorder& out) { ask<append_twice>(out, 4, list); });
     EXPECT_EQ(list, (std::vector<float>{9, 4, 4}));
-    EXPECT_EQ(text(tensors, "?code"),
-              "0\tauto filled = std::vector<float>{9};|"
-              "append_twice(4, filled);|"
-              "filled\n");
+    EXPECT_EQ(text(tensors, "?code"), "0\tauto filled = std::vector<float>{9};|append_twice(4, filled);|filled\n");
 }
 
 TEST(Ask, of_an_object_tells_all_that_was_done_to_it)

@@ -5,8 +5,8 @@
 
 #include "cli/application.hpp"
 #include "cli/authors/benchmarks.hpp"
-#include "cli/checkout.hpp"
 #include "cli/authors/commands.hpp"
+#include "cli/checkout.hpp"
 #include "cli/replace_process.hpp"
 #include "model/nearest.hpp"
 

@@ -9,8 +9,8 @@
 #include "bench/explanations/explanations.hpp"
 #include "bench/held_out.hpp"
 #include "cli/application.hpp"
-#include "cli/checkout.hpp"
 #include "cli/authors/commands.hpp"
+#include "cli/checkout.hpp"
 #include "cli/paths.hpp"
 #include "worker/crew.hpp"
 

@@ -6,8 +6,8 @@
 
 #include "bench/unforeseen/unforeseen.hpp"
 #include "cli/application.hpp"
-#include "cli/checkout.hpp"
 #include "cli/authors/commands.hpp"
+#include "cli/checkout.hpp"
 #include "worker/crew.hpp"
 
 namespace umbral::grader {

@@ -1,12 +1,13 @@
-#include "cli/doctor_attacks.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 
 #include "attack/rehearsal.hpp"
+#include "cli/application.hpp"
+#include "cli/authors/commands.hpp"
 #include "model/caps.hpp"
 #include "model/scratch.hpp"
 #include "report/paint.hpp"
@@ -27,8 +28,9 @@ std::vector<attack::Attack> harmless_attacks(const fs::path& folder)
     return attacks;
 }
 
-}
-
+/// Grades a class of the attacks of tests/attacks that do no harm even where they succeed, beside good work, in a
+/// scratch folder on this machine; prints a line for each attack, what did not hold of it, and a sum. The exit status
+/// says whether all held. Throws UsageError if the attacks are not there.
 void attack_this_machine(Application& application)
 {
     application.require_answers();
@@ -63,6 +65,15 @@ void attack_this_machine(Application& application)
         rehearsal.changes_of_good.empty() ? "kept its results to the byte" : "DID NOT KEEP ITS RESULTS",
         rehearsal.run.seconds, rehearsal.run.peak_mib, rehearsal.cache_mib + rehearsal.reports_mib);
     if (held < attacks.size() || !rehearsal.changes_of_good.empty()) application.exit_status = exit_not_right;
+}
+
+}
+
+void add_doctor_attacks(Command command, Application& application)
+{
+    auto attack = std::make_shared<bool>(false);
+    command.flag("--attack", *attack, "As `umbral doctor --attack`").required();
+    command.runs([&application, attack] { attack_this_machine(application); });
 }
 
 }

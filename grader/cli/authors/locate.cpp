@@ -6,9 +6,10 @@
 #include <sstream>
 
 #include "cli/application.hpp"
+#include "cli/authors/commands.hpp"
 #include "cli/built_work.hpp"
 #include "cli/checkout.hpp"
-#include "cli/authors/commands.hpp"
+#include "model/one_cpp_file.hpp"
 #include "mutants/repair_words.hpp"
 #include "mutants/try_repairs.hpp"
 #include "report/layout.hpp"
@@ -84,7 +85,7 @@ void print_search(const Paint& paint, const Exercise& exercise, const BuiltWork&
 void locate(Application& application, const LocateOptions& options)
 {
     const Exercise exercise = application.chosen({options.unit}).front();
-    if (!can_have_mutants(exercise))
+    if (!is_one_cpp_file(exercise))
         throw UsageError(fmt::format("{} is not one C++ file: umbral debug runs a case of it", exercise.id));
     const BuiltWork work = built_work(application, exercise, options.folder);
     if (equals_stub(work.files, exercise)) {

@@ -7,8 +7,8 @@
 #include "cli/application.hpp"
 #include "cli/authors/commands.hpp"
 #include "cli/authors/interface_block.hpp"
-#include "cli/paths.hpp"
 #include "cli/authors/unit_template.hpp"
+#include "cli/paths.hpp"
 #include "collect/sources.hpp"
 #include "manifest/statements.hpp"
 
@@ -64,7 +64,7 @@ void make_unit(const Application& application, const std::string& id)
                         layout.data.string()));
     const UnitName name = read_unit_name(id);
     const fs::path& root = layout.data;
-    const fs::path templates = root / "grader/cli/templates";
+    const fs::path templates = root / "grader/cli/authors/templates";
     expect_topic(root, name.topic);
     const std::vector<NewFile> files = as_given([&] { return files_of_new_unit(templates / "unit", name); });
     expect_free(root, files, name);

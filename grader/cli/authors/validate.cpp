@@ -10,9 +10,9 @@
 #include <tuple>
 
 #include "cli/application.hpp"
-#include "cli/checkout.hpp"
 #include "cli/authors/commands.hpp"
 #include "cli/authors/mutants.hpp"
+#include "cli/checkout.hpp"
 #include "cli/paths.hpp"
 #include "report/paint.hpp"
 #include "validate/validation_table.hpp"
