@@ -11,6 +11,9 @@ namespace {
 
 /// Longer ones make people wait, and what is kept shows in short ones as well.
 constexpr double most_seconds = 1;
+/// What is right when it is asked alone keeps so much of its points: the algorithm is right, and only where it keeps
+/// its state is wrong.
+constexpr Millipoints kept_of_ten = 8;
 
 /// The places of a case's checks; none if it cannot be asked so, or if there is something wrong with it as it is.
 std::vector<std::size_t> checks_of(const Exercise& exercise, const std::string& name, const UnitResult& result)
@@ -61,7 +64,9 @@ void expect_the_same_beside_others(Worker& worker, const Exercise& exercise, con
         for (std::size_t i = 0; i < places.size(); ++i) {
             CheckResult& before = result.checks[places[i]];
             if (judged[i].score >= before.score) continue;
+            const Millipoints kept = before.score * kept_of_ten / 10;
             before = std::move(judged[i]);
+            before.score = std::max(before.score, kept);
             before.beside = true;
             before.common = right_without_others;
         }

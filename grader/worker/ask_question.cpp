@@ -97,6 +97,8 @@ std::string not_askable(const Exercise& exercise)
 {
     if (!exercise.is_cpp()) return "its shaders are drawn with, and not called";
     if (exercise.glfw) return "its functions answer events, and a question alone has none";
+    // Nor may the reference's shaders be asked for, which some of these functions return.
+    if (exercise.gl_calls) return "its functions draw, and a question alone has nothing to draw on";
     return "";
 }
 

@@ -93,6 +93,7 @@ TEST(Events, a_duplicate_or_another_event_is_named)
     const Judgement again = judged(twice, session);
     EXPECT_DOUBLE_EQ(again.right, 2.0 * 5 / (6 + 5));
     EXPECT_EQ(again.message.substr(0, again.message.find(" (5")), "row 1: press came once more");
+    EXPECT_FALSE(again.first_difference->cell) << "neither row beside it led to it";
 
     std::vector<float> other = session;
     other[9] = 2;
