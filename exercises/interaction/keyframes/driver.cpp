@@ -3,6 +3,7 @@
 #include <numbers>
 #include <umbral/record/driver.hpp>
 
+#include "balls.hpp"
 #include "film.hpp"
 
 namespace umbral {
@@ -42,6 +43,17 @@ void record_random_turns(Recorder& out, Random& random)
     }
 }
 
+// From one of the quaternions 1, i, j, k and their opposites to another: their product is 0 without rounding.
+void record_half_turn(Recorder& out, Random& random)
+{
+    glm::vec4 ends[2] = {};
+    const std::uint32_t first = random.below(4);
+    const std::uint32_t second = (first + 1 + random.below(3)) % 4;
+    ends[0][static_cast<int>(first)] = random.below(2) == 0 ? 1.0F : -1.0F;
+    ends[1][static_cast<int>(second)] = random.below(2) == 0 ? 1.0F : -1.0F;
+    record_slerp(out, {ends[0].w, glm::vec3(ends[0])}, {ends[1].w, glm::vec3(ends[1])}, random.uniform(0.2F, 0.8F));
+}
+
 // Ends whose quaternions lie on opposite sides, though the turn between them is small or middling.
 void record_longer_ways(Recorder& out, Random& random)
 {
@@ -50,6 +62,10 @@ void record_longer_ways(Recorder& out, Random& random)
         const UnitQuaternion turn = about(glm::dvec3(random.unit_vector()), 0.2 + 2.4 * random.uniform_double());
         const UnitQuaternion to = product(turn, from);
         record_slerp(out, from, random.below(4) == 0 ? to : negated(to), random.uniform());
+        // Exactly half a turn: whatever came before, neither end changes its sign.
+        if (i % 4 != 3) continue;
+        record_slerp(out, from, negated(to), random.uniform());
+        record_half_turn(out, random);
     }
     // Just less than half a turn, and just more: which way is shorter hangs on a small product.
     for (int i = 0; i < 24; ++i) {
@@ -146,103 +162,6 @@ void record_long_ways(Recorder& out, Random& random)
     for (int i = 0; i < 40; ++i) {
         const glm::vec2 way = std::pow(10.0F, random.uniform(2, 3.5F)) * glm::vec2(random.in_cube());
         out.append("orientation", matrix_of(ask<rolling_turn>(out, way, random.uniform(0.2F, 3))));
-    }
-}
-
-/// A ball's places at common times of all rates: every half second.
-void record_path(Recorder& out, const BallLaunch& launch, std::int64_t rate, std::string_view name)
-{
-    const std::unique_ptr<BouncingBall> ball = ask_new<make_bouncing_ball>(out, "ball", launch);
-    if (!ball) return;
-    for (std::int64_t k = 1; k <= 4 * rate; ++k) {
-        ask<&BouncingBall::advance>(out, *ball, frame_time(k, rate) - frame_time(k - 1, rate));
-        if (k % (rate / 2) == 0) out.append(name, glm::vec3(ask<&BouncingBall::position>(out, *ball)));
-    }
-}
-
-void record_rates(Recorder& out, Random& random)
-{
-    for (int i = 0; i < 6; ++i) {
-        const BallLaunch launch = random_launch(random);
-        record_path(out, launch, 10, "10 a second");
-        record_path(out, launch, 60, "60 a second");
-        record_path(out, launch, 144, "144 a second");
-    }
-}
-
-// Pictures at odd times, some of them before the first step; times that stand still or go back change nothing.
-void record_odd_times(Recorder& out, Random& random)
-{
-    for (int i = 0; i < 8; ++i) {
-        const std::unique_ptr<BouncingBall> ball = ask_new<make_bouncing_ball>(out, "ball", random_launch(random));
-        if (!ball) continue;
-        out.append("place", glm::vec3(ask<&BouncingBall::position>(out, *ball)));
-        for (int k = 0; k < 24; ++k) {
-            const std::uint32_t kind = random.below(6);
-            const std::int64_t some = 1 + random.below(kind < 3 ? 4900 : 150'000);
-            const std::int64_t nothing = k % 2 == 0 ? 0 : -some;
-            ask<&BouncingBall::advance>(out, *ball, kind == 5 ? nothing : some);
-            out.append("place", glm::vec3(ask<&BouncingBall::position>(out, *ball)));
-        }
-    }
-    // Steep throws, looked at in the air after one long call, in which some have met the floor and kept all of their
-    // speed, or only when an hour has gone by in one.
-    for (int i = 0; i < 12; ++i) {
-        const bool keeps_all = i % 4 == 2;
-        const auto ball = ask_new<make_bouncing_ball>(out, "ball", random_throw(random, keeps_all));
-        if (!ball) continue;
-        const std::int64_t in_the_air = (keeps_all ? 1'500'000 : 260'000) + std::int64_t{random.below(150'000)};
-        ask<&BouncingBall::advance>(out, *ball, i % 2 == 0 ? in_the_air : 3'600'000'000);
-        out.append("place", glm::vec3(ask<&BouncingBall::position>(out, *ball)));
-    }
-}
-
-/// All the digits of a double.
-void record_digits_of(Recorder& out, const BouncingBall& ball)
-{
-    const glm::dvec3 place = ask<&BouncingBall::position>(out, ball);
-    out.append("place", glm::dvec2(place.x, place.y));
-}
-
-// All the digits of a double, in pictures that come from one microsecond to 20 ms after each other; half of the balls
-// come to rest meanwhile.
-void record_digits(Recorder& out, Random& random)
-{
-    for (int i = 0; i < 6; ++i) {
-        BallLaunch launch = random_launch(random);
-        if (i % 2 == 1) launch.bounce -= 0.45;
-        const std::unique_ptr<BouncingBall> ball = ask_new<make_bouncing_ball>(out, "ball", launch);
-        if (!ball) continue;
-        for (int k = 1; k <= 400; ++k) {
-            ask<&BouncingBall::advance>(out, *ball, k % 4 == 0 ? 1 : 1 + std::int64_t{random.below(20'000)});
-            if (k % 16 == 0) record_digits_of(out, *ball);
-        }
-    }
-    // Balls that a step leaves a hair above the floor or below it.
-    for (int i = 0; i < 12; ++i) {
-        const int steps = 20 + static_cast<int>(random.below(60));
-        const double height = (i % 2 == 0 ? 1 : -1) * std::pow(10.0, -7 + 3 * random.uniform_double());
-        const auto ball = ask_new<make_bouncing_ball>(out, "ball", launch_that_lands(random, steps, height));
-        if (!ball) continue;
-        for (const std::int64_t time : {steps * 5'000, 1'000, 200'000}) {
-            ask<&BouncingBall::advance>(out, *ball, time);
-            record_digits_of(out, *ball);
-        }
-    }
-}
-
-/// Two balls in turns; what one is told must not reach the other.
-void record_two(Recorder& out, Random& random)
-{
-    const std::unique_ptr<BouncingBall> first = ask_new<make_bouncing_ball>(out, "first", random_launch(random));
-    if (!first) return;
-    ask<&BouncingBall::advance>(out, *first, 123'456);
-    const std::unique_ptr<BouncingBall> second = ask_new<make_bouncing_ball>(out, "second", random_launch(random));
-    if (!second) return;
-    for (int k = 0; k < 40; ++k) {
-        ask<&BouncingBall::advance>(out, random.below(2) == 0 ? *first : *second, 1 + random.below(150'000));
-        out.append("place", glm::vec3(ask<&BouncingBall::position>(out, *first)));
-        out.append("place", glm::vec3(ask<&BouncingBall::position>(out, *second)));
     }
 }
 

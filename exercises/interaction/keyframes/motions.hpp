@@ -154,6 +154,16 @@ inline BallLaunch launch_that_lands(Random& random, int steps, double height)
     return launch;
 }
 
+/// A ball that meets the floor in the last of so many steps, and leaves it hardly faster than a step of gravity takes
+/// away: by `rise`, in metres a second, which the next step leaves it.
+inline BallLaunch launch_that_bounces_softly(Random& random, int steps, double rise)
+{
+    constexpr double step = 0.005;
+    BallLaunch launch = launch_that_lands(random, steps, -1e-4);
+    launch.bounce = (9.81 * step + rise) / (9.81 * step * steps - launch.velocity.y);
+    return launch;
+}
+
 /// Times of pictures in microseconds: k / rate seconds, as near as whole microseconds come.
 inline std::int64_t frame_time(std::int64_t k, std::int64_t rate) { return k * 1'000'000 / rate; }
 

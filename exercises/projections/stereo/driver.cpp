@@ -196,11 +196,20 @@ void record_behind(Random& random, Recorder& out)
     }
 }
 
+/// A far plane at infinity; or, counted in so small a unit that the near plane has a large number, hardly nearer.
+StereoScreen with_far_plane(StereoScreen screen, bool is_huge, Random& random)
+{
+    if (is_huge) screen = in_units(screen, 100 / screen.near_plane);
+    screen.far_plane = is_huge ? random.uniform(0.1F, 0.9F) * std::numeric_limits<float>::max() : infinity;
+    return screen;
+}
+
 void record_infinite(Random& random, Recorder& out)
 {
     for (int i = 0; i < 30; ++i) {
-        StereoScreen screen = random_screen(random);
-        screen.far_plane = infinity;
+        // Or nearly infinite: near times far is more than a float can hold.
+        const bool is_huge = i % 3 == 2;
+        const StereoScreen screen = with_far_plane(random_screen(random), is_huge, random);
         record(out, screen);
         record_parallax(out, screen, i % 2 == 0 ? infinity : screen.distance * random.uniform(0.5F, 9));
         const bool first = random.below(2) == 1;

@@ -138,11 +138,11 @@ void record_matrices(Case& what, Recorder& out)
     const std::vector<glm::vec4> by_hand = {{0, 1, 0, 0}, {0, 0, 2, -6}, {-1, 0, 0, 4}, {3, 4, 0, 10}, {1, 1, 1, -3}};
     for (const glm::vec4& plane : by_hand) out.append("mirrors", ask<mirror_matrix>(out, plane));
     for (int i = 0; i < 60; ++i) {
-        const glm::vec4 plane(random_plane(what.random));
+        const glm::vec4 plane(random_plane(what.random, i));
         out.append("mirrors", ask<mirror_matrix>(out, plane));
     }
     for (int i = 0; i < 60; ++i) {
-        const glm::vec4 plane(random_plane(what.random));
+        const glm::vec4 plane(random_plane(what.random, i));
         const glm::vec3 from = 4.0F * what.random.in_cube();
         const glm::mat4 view = glm::lookAt(from, from + what.random.unit_vector(), glm::vec3(0.1F, 1, 0.2F));
         out.append("views", ask<mirrored_view>(out, view, plane));

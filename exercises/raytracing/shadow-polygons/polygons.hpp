@@ -71,14 +71,15 @@ inline FlatPolygon turned_over(FlatPolygon polygon)
 }
 
 /// A receiver anywhere, a light on either side, and a caster whose shadow falls on the receiver, in part or as a whole.
-/// Every third one reaches through the receiver's plane, and every fifth one past the light.
+/// Every third one reaches through the receiver's plane, and every fifth one past the light; every fourth one has many
+/// corners, or its receiver.
 inline ShadowTask random_shadow(Random& random, int kind)
 {
     const glm::vec3 middle = 2.0F * random.in_cube();
     const glm::vec3 normal = random.unit_vector();
     const float size = random.uniform(0.8F, 1.6F);
     ShadowTask task;
-    task.receiver = random_convex(random, middle, normal, size, 3 + random.below(kind % 4 == 1 ? 10 : 4));
+    task.receiver = random_convex(random, middle, normal, size, 3 + random.below(kind % 4 == 1 ? 22 : 4));
     const float side = random.below(2) == 0 ? 1.0F : -1.0F;
     const PlaneFrame frame = frame_of(normal);
     const float height = random.uniform(2, 4);
@@ -92,7 +93,8 @@ inline ShadowTask random_shadow(Random& random, int kind)
     glm::vec3 tilt = normal + 0.6F * random.in_cube();
     if (share == 0.8F || share == 0.1F) tilt = frame.u + 0.5F * random.in_cube();
     const float reach = share == 0.8F ? 1.3F : 0.8F;
-    task.caster = random_convex(random, place, normalize(tilt), reach, 3 + random.below(4));
+    task.caster = random_convex(random, place, normalize(tilt), reach,
+                                kind % 4 == 3 ? 13 + random.below(12) : 3 + random.below(4));
     if (random.below(2) == 0) task.caster = turned_over(task.caster);
     task.unit = random_unit(random, -20, 20);
     return task;
@@ -115,12 +117,15 @@ inline ShadowTask far_shadow(Random& random)
     return task;
 }
 
-/// A plane up to 4 from the origin; its normal has any length.
-inline glm::vec4 random_plane(Random& random)
+/// A plane up to 4 from the origin; its normal has any length. One in four is so long or short that its square is none
+/// of a float's numbers.
+inline glm::vec4 random_plane(Random& random, int kind)
 {
     const glm::vec3 normal = random.unit_vector();
     const float away = random.uniform(-4, 4);
-    return random.uniform(0.3F, 3) * random_unit(random, -30, 30) * glm::vec4(normal, away);
+    const float far = std::exp2(static_cast<float>(80 + random.below(35)));
+    const float unit = kind % 4 != 3 ? random_unit(random, -30, 30) : kind % 8 == 3 ? far : 1 / far;
+    return random.uniform(0.3F, 3) * unit * glm::vec4(normal, away);
 }
 
 /// One question put to mirror_views.

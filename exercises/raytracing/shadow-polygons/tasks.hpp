@@ -88,6 +88,8 @@ inline std::vector<MirrorTask> mirrors_by_hand()
         {{1, 1, 1}, {left, right}, 2},
         {{1, 1.5F, 2}, {right, left}, 6},
         {{1, 1, 1}, {left, right}, 0},
+        {{1, 1, 2}, {left, corner}, -1},  // no mirrors at all; where whoever goes on for ever has an end
+        {{2, 1, 1}, {left, back}, -3},
         {{2, 1, 1}, {left, back}, 3},
         {{1, 1, 1}, {left, turned_over(left)}, 2},
         {{1, 1, 2}, {left, corner}, 3},  // a right angle: seen in both, in either order

@@ -1,3 +1,4 @@
+#include <limits>
 #include <umbral/record/driver.hpp>
 
 #include "scene.hpp"
@@ -146,18 +147,28 @@ void edges(Variation& vary, Recorder& out)
         out.append("directions", ask<panorama_direction>(out, {u, 0.375F}));
 }
 
+// As far from the seam and the axis, and so small that no float of full precision is left: 2^-149 times whole numbers.
+glm::vec3 subnormal(Random& random, const glm::vec3& direction)
+{
+    const auto most = static_cast<float>(1U << (12 + random.below(11)));
+    return std::numeric_limits<float>::denorm_min() * glm::trunc(most * direction);
+}
+
 // Squares that overflow or vanish in float.
 void extreme(Random& random, Recorder& out)
 {
     for (int i = 0; i < 200; ++i) {
         const float size = std::pow(10.0F, i % 2 == 0 ? random.uniform(22, 37) : random.uniform(-36, -24));
-        out.append("panorama", ask<panorama_place>(out, size * off_the_seam(random)));
-        out.append("sphere", ask<sphere_place>(out, size * random.unit_vector()));
+        const auto sized = [&](const glm::vec3& direction) {
+            return i % 4 == 3 ? subnormal(random, direction) : size * direction;
+        };
+        out.append("panorama", ask<panorama_place>(out, sized(off_the_seam(random))));
+        out.append("sphere", ask<sphere_place>(out, sized(random.unit_vector())));
         if (i % 2 == 0) {
             const float off = std::pow(10.0F, random.uniform(-7, -3));
             out.append("sphere", ask<sphere_place>(out, almost_back(off, random.uniform(0, 6.28F))));
         }
-        record_box(out, (i % 2 == 0 ? 3.2e38F : size) * towards_a_face(random));
+        record_box(out, i % 2 == 0 ? 3.2e38F * towards_a_face(random) : sized(towards_a_face(random)));
     }
 }
 

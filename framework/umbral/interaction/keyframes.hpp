@@ -40,9 +40,10 @@ struct KeyPose {
 /// The pose in between (course: in-betweens): positions in a straight line at constant speed, orientations by
 /// slerp_shorter, from each key frame to the next.
 ///
-/// Times never fall from frame to frame. Before the first frame the pose is the first, after the last it is the last.
-/// Of frames of one time the last counts from then on: a cut. Throws std::invalid_argument if there are no frames, or
-/// if the time is NaN. Guarantee of the reference: positions within 2e-7 of the larger end.
+/// Times of frames are finite, and never fall from frame to frame. Before the first frame the pose is the first, after
+/// the last it is the last, also at an infinite time. Of frames of one time the last counts from then on: a cut. Throws
+/// std::invalid_argument if there are no frames, or if the time is NaN. Guarantee of the reference: positions within
+/// 2e-7 of the larger end.
 [[nodiscard]] KeyPose key_pose(std::span<const KeyFrame> frames, float seconds);
 
 /// The turn of a ball that rolls without slipping on the floor y = 0, after it has come `way` along x and z: procedural

@@ -7,7 +7,8 @@
 
 namespace umbral::projections {
 
-/// What a viewer with two eyes looks at: a screen, a window into the scene. Lengths are in the units of the scene.
+/// What a viewer with two eyes looks at: a screen, a window into the scene. Lengths are in the units of the scene, and
+/// finite but for the far plane: no more than the ranges here has to be checked.
 ///
 /// The head's coordinates: the origin midway between the eyes, which lie at x = -eye_separation / 2 (left) and
 /// eye_separation / 2 (right); the screen's middle at (0, 0, -distance), its sides parallel to x and y.
@@ -54,11 +55,13 @@ struct StereoPair {
 [[nodiscard]] float parallax(const StereoScreen& screen, float distance);
 
 /// The inverse: the distance at which a point has this parallax. Infinite if the parallax is the eyes' separation;
-/// nothing if it is larger, since then the two lines of sight do not meet before the viewer.
+/// nothing if it is larger, since then the two lines of sight do not meet before the viewer. The parallax is not NaN,
+/// and of the screen, which nothing checks here, only distance and eye_separation count.
 [[nodiscard]] std::optional<float> distance_of_parallax(const StereoScreen& screen, float parallax);
 
 /// Where the right eye sees a point less where the left eye sees it, in normalised device coordinates; nothing if the
-/// point's w is 0 or negative for one eye or for both. The point is in the head's coordinates; the pair is any.
+/// point's w is 0 or negative for one eye or for both. The point is in the head's coordinates. The eyes may
+/// stand and look anywhere; their projections are as `EyeMatrices` says, with w = -z.
 ///
 /// y is the vertical parallax, which no eye can follow: it is 0 for all points under off-axis projection. Guarantee of
 /// the reference: within 1e-15 times the sum of the terms' sizes over w, and one rounding to float.

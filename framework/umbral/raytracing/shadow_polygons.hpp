@@ -8,12 +8,13 @@
 namespace umbral::raytracing {
 
 /// A flat convex polygon in space: three corners or more in one plane, counter-clockwise as seen from its front.
-/// With fewer than three it is none: it throws and receives no shadow, and mirrors nothing.
+/// Three of them may lie on a line. With fewer than three it is none: it throws and receives no shadow, and mirrors
+/// nothing.
 using FlatPolygon = std::vector<glm::vec3>;
 
 /// The shadow that `caster` throws on `receiver`: the points of the receiver from which the segment to the light meets
 /// the caster. Its corners lie in the receiver's plane and turn as the receiver's do; with which one it begins does not
-/// matter, and no corner comes twice in a row.
+/// matter, no corner comes twice in a row, and one that lies on a line between its neighbours may be left out.
 ///
 /// `light` is (x, y, z, 1), a lamp at that place, or (x, y, z, 0), a sun in that direction, of any length. Both sides
 /// of a polygon stop light and take shadows: that of the receiver on which the light stands has the shadow. Only what
@@ -42,7 +43,8 @@ struct MirrorView {
 };
 
 /// All ways to look from `eye` by way of at most `levels` mirrors into which something is seen, each after the one that
-/// it goes on from, and ways that go on from the same one by the order of their last mirror: depth first.
+/// it goes on from, and ways that go on from the same one by the order of their last mirror: depth first. None for
+/// levels of 0 or less.
 ///
 /// A mirror shows something on its front only, to an eye that stands before its plane, not in it. So for the first
 /// mirror of a path the window is all of it. From there the mirrored eye looks through the window: the window of the

@@ -204,9 +204,8 @@ Judgement judge_events(const Check& check, const Tensor& student, const Tensor& 
                          gap->lost > 0 ? write(expected.cell(gap->expected), digits) : "nothing");
     });
     // What is only too much stands between two rows, and neither of their questions need have led to it.
-    judgement.first_difference =
-        Difference{fmt::format("row {} of {} events", gap->expected, expected.cells()), came, wanted,
-                   gap->lost > 0 ? std::optional(gap->expected) : std::nullopt};
+    judgement.first_difference = Difference{fmt::format("row {} of {} events", gap->expected, expected.cells()), came,
+                                            wanted, gap->lost > 0 ? std::optional(gap->expected) : std::nullopt};
     judgement.message = fmt::format("row {}: ", gap->expected);
     judgement.message += in_words({check.tolerance, yours, expected, alignment, *gap}, came, wanted);
     judgement.message +=
