@@ -73,13 +73,13 @@ TEST(ShadowPolygons, a_mirror_matrix_is_its_own_inverse_and_keeps_its_plane)
 {
     Random random(seed + 1);
     for (int i = 0; i < 500; ++i) {
-        const glm::vec4 plane = random_plane(random);
+        const glm::vec4 plane = random_plane(random, i);
         const glm::mat4 mirror = mirror_matrix(plane);
         const glm::vec3 p = 3.0F * random.in_cube();
         const glm::vec3 image(mirror * glm::vec4(p, 1));
         EXPECT_LT(distance(glm::vec3(mirror * glm::vec4(image, 1)), p), 1e-5F) << "seed " << seed;
-        const glm::vec3 middle = 0.5F * (p + image);
-        EXPECT_NEAR(dot(plane, glm::vec4(middle, 1)) / length(glm::vec3(plane)), 0, 1e-5F);
+        const glm::dvec3 middle = 0.5 * (glm::dvec3(p) + glm::dvec3(image));
+        EXPECT_NEAR(dot(glm::dvec4(plane), glm::dvec4(middle, 1)) / length(glm::dvec3(plane)), 0, 1e-5);
         EXPECT_NEAR(determinant(glm::mat3(mirror)), -1, 1e-5F);
     }
 }
