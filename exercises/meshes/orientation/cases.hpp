@@ -144,4 +144,34 @@ inline IndexedMesh far_body(const IndexedMesh& body, double distance, int step, 
     return random.below(2) == 0 ? turned_over(mesh) : mesh;
 }
 
+/// Four bodies of 10 units across in one mesh, two of them near the origin and two 10^7 units away on different sides:
+/// no point is near all of them. Seen from the corner of one of the others, volumes cancel even in double.
+inline IndexedMesh bodies_far_apart(Random& random)
+{
+    const IndexedMesh kinds[] = {ball(8, 5), torus(7, 5), plate_with_holes(1), tetrahedron()};
+    const std::uint32_t first = random.below(4);
+    IndexedMesh mesh;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        const IndexedMesh& kind = kinds[(first + i) % 4];
+        const glm::vec3 middle = 20.0F * static_cast<float>(i) + random.in_cube();
+        const IndexedMesh near = mapped(kind, [&](const glm::vec3& position) { return 5.0F * position + middle; });
+        const bool is_turned = random.below(2) == 0;
+        if (i < 2)
+            mesh = joined(mesh, is_turned ? turned_over(near) : near);
+        else
+            mesh = joined(mesh, far_body(kind, 1e7, 0, random));
+    }
+    return shuffled(mesh, random);
+}
+
+/// The same mesh among 131,072 vertices, most of which no triangle has: its own have numbers from 0, 32,768, 65,536 and
+/// 98,304 on. Two of them in 32 bits, as a * V + b or as a << 16 | b, are the same number for other edges.
+inline IndexedMesh with_large_indices(const IndexedMesh& mesh, Random& random)
+{
+    constexpr std::uint32_t step = 32'768;
+    IndexedMesh result = spread(mesh, step, random);
+    result.positions.resize(4 * std::size_t{step}, glm::vec3(0));
+    return result;
+}
+
 }

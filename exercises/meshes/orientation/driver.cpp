@@ -71,23 +71,26 @@ void record_separated(Recorder& out, const IndexedMesh& mesh)
     }
 }
 
-/// Two meshes after each other in random order: one that can be wound coherently, and one that cannot.
+/// Two meshes after each other in random order: one that can be wound coherently, and one that cannot. Of no triangles
+/// there is a winding: the empty one.
 void record_windings(Random& random, Recorder& out)
 {
     std::vector<IndexedMesh> good{hourglass(5),    staircase(2),    staircase(4),   book(3),
                                   three_sheets(1), three_sheets(3), three_sheets(4)};
     for (const Sample& sample : tame_meshes()) good.push_back(sample.mesh);
+    good.insert(good.end(), {IndexedMesh{}, with_lonely_vertices({}, 1), with_lonely_vertices({}, 4)});
     const std::vector<IndexedMesh> bad{moebius(9), moebius(8, 3), klein_bottle(6, 5), projective_plane(),
                                        joined(octahedron(), moebius(5), {3, 0, 0})};
-    for (std::size_t i = 0; i < good.size(); ++i) {
+    const auto record_pair = [&](const IndexedMesh& one, const IndexedMesh& other) {
         const bool swapped = random.below(2) == 1;
-        for (const bool is_good : {!swapped, swapped}) {
-            const IndexedMesh& mesh = is_good ? good[i] : bad[i % bad.size()];
-            record_coherent(out, with_mixed_winding(shuffled(mesh, random), random));
-        }
-    }
-    record_coherent(out, with_mixed_winding(with_far_copy(octahedron()), random));
-    record_coherent(out, with_mixed_winding(moebius(7), random));
+        for (const bool is_first : {!swapped, swapped})
+            record_coherent(out, with_mixed_winding(is_first ? one : other, random));
+    };
+    for (std::size_t i = 0; i < good.size(); ++i)
+        record_pair(shuffled(good[i], random), shuffled(bad[i % bad.size()], random));
+    record_pair(with_far_copy(octahedron()), moebius(7));
+    record_pair(with_large_indices(torus(9 + random.below(3), 7), random),
+                with_large_indices(klein_bottle(9, 7 + random.below(3)), random));
 }
 
 void record_outward(Recorder& out, const IndexedMesh& mesh)
@@ -105,6 +108,7 @@ void record_far(Random& random, Recorder& out)
     for (const int exponent : {-60, 60})
         for (const IndexedMesh& body : {ball(8, 5), torus(7, 5), plate_with_holes(1), tetrahedron()})
             for (int i = 0; i < 2; ++i) record_outward(out, shuffled(scaled_body(body, exponent, random), random));
+    for (int i = 0; i < 24; ++i) record_outward(out, bodies_far_apart(random));
 }
 
 Amount amount_of(std::vector<glm::uvec3> triangles)
@@ -176,6 +180,8 @@ const Driver driver = {
     {"separated",
      [](Case& c, Recorder& out) {
          for (const IndexedMesh& mesh : suspects(c.random)) record_separated(out, mesh);
+         for (const IndexedMesh& mesh : {torus(9, 7), hourglass(20), staircase(4)})
+             record_separated(out, with_large_indices(mesh, c.random));
      }},
     {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("sides", picture_of_sides(out, c.random)); }},
