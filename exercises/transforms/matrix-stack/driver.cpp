@@ -164,8 +164,10 @@ const Driver driver = {
     {"by hand", [](Case& c, Recorder& out) { record_session(out, known_session(c.vary)); }},
     {"random",
      [](Case& c, Recorder& out) {
-         for (int i = 0; i < 20; ++i)
+         for (int i = 0; i < 20; ++i) {
              record_session(out, random_session(c.random, 60, i % 2 == 0 ? Volume::any : Volume::kept));
+             record_session(out, slanted_frames(c.random, 9));
+         }
      }},
     {"empty stack", [](Case& c, Recorder& out) { record_pops(out, c.random); }},
     {"deep", [](Case&, Recorder& out) { record_deep(out); }},

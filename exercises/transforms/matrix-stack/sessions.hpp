@@ -88,6 +88,36 @@ inline glm::mat4 random_map(Random& random, Volume volume = Volume::any)
     return glm::scale(moved, size);
 }
 
+/// Makes slanted bricks of cubes, whose edges all have the same length: columns as long as a rotation's, and not
+/// perpendicular. Every other one is a mirror.
+inline glm::mat4 slant(Random& random)
+{
+    glm::mat4 map(1);
+    const float size = random.uniform(0.5F, 2);
+    for (int column = 0; column < 3; ++column) {
+        glm::vec3 edge = 0.4F * random.in_cube();
+        edge[column] = 1;
+        map[column] = glm::vec4(size * normalize(edge), 0);
+    }
+    if (random.below(2) == 1) map[2] = -map[2];
+    return map;
+}
+
+/// Frames that show one slanted brick each: the model is slanted, or else the view, and the model turned by a quarter.
+inline std::vector<Step> slanted_frames(Random& random, int count)
+{
+    std::vector<Step> steps;
+    for (int i = 0; i < count; ++i) {
+        const glm::mat4 view = rigid(random);
+        const glm::mat4 brick = slant(random);
+        if (i % 3 == 2)
+            steps.insert(steps.end(), {set_view(view * brick), compose(quarter_turn(i % 2))});
+        else
+            steps.insert(steps.end(), {set_view(view), compose(brick)});
+    }
+    return steps;
+}
+
 /// With the numbers of the course's example: M = V · Tra[5,6,7] · Rot[90°,x], copies on the stack, another frame.
 inline std::vector<Step> known_session(Variation& vary)
 {
