@@ -15,17 +15,20 @@ constexpr double degree = std::numbers::pi / 180;
 /// Where in the picture a point appears that lies one unit farther than the view plane.
 glm::dvec2 shift_of(const Lean& lean)
 {
-    const double angle = lean.angle_degrees * degree;
+    // Whole turns are taken off in degrees, which is exact: in radians they would be rounded.
+    const double angle = std::remainder(double{lean.angle_degrees}, 360.0) * degree;
     return double{lean.foreshortening} * glm::dvec2(std::cos(angle), std::sin(angle));
 }
 
 }
 
-// The cotangent, as the tangent of the angle that is left to 90°: that difference of floats is exact near 90°.
+// The cotangent; near 90° as the tangent of the angle that is left, a difference that is exact there and no longer is
+// for small angles.
 float foreshortening_of(float alpha_degrees)
 {
     if (!(alpha_degrees > 0 && alpha_degrees <= 90))
         throw std::invalid_argument("rays meet the view plane at an angle of more than 0 and at most 90 degrees");
+    if (alpha_degrees < 45) return static_cast<float>(1 / std::tan(alpha_degrees * degree));
     return static_cast<float>(std::tan((90.0 - alpha_degrees) * degree));
 }
 

@@ -56,12 +56,15 @@ void record_random(Random& random, Recorder& out)
     }
 }
 
-// An angle, and what is none, in random order.
+// An angle, and what is none, in random order. Of the smallest angles the foreshortening is no float any more.
 void record_refused(Random& random, Recorder& out)
 {
+    constexpr float smallest = std::numeric_limits<float>::denorm_min();
     for (const float wrong : {0.0F, -45.0F, next_above(90), 135.0F, 180.0F, std::numeric_limits<float>::quiet_NaN()})
-        for (int i = 0; i < 4; ++i) {
-            const float close[] = {90, std::nextafter(90.0F, 0.0F), 1e-6F, random.uniform(1, 89)};
+        for (int i = 0; i < 5; ++i) {
+            const float small = std::exp2(random.uniform(-126, -20));
+            const float smaller = smallest * static_cast<float>(1 + random.below(16));
+            const float close[] = {90, std::nextafter(90.0F, 0.0F), small, smaller, random.uniform(1, 89)};
             const float right = close[i];
             const bool first = random.below(2) == 1;
             for (const bool is_wrong : {first, !first})
@@ -72,9 +75,30 @@ void record_refused(Random& random, Recorder& out)
 // Rays almost perpendicular to the view plane, and almost in it.
 void record_extremes(Random& random, Recorder& out)
 {
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 120; ++i) {
         const float rest = std::pow(10.0F, random.uniform(-4, 0));
-        record_angle(out, i % 4 == 0 ? rest : 90 - rest);
+        const float tiny = std::pow(10.0F, random.uniform(-7, -4));
+        record_angle(out, i % 4 == 0 ? tiny : i % 4 == 1 ? rest : 90 - rest);
+    }
+}
+
+// Thousands of turns; angles beside the axes, on one side and the other; depths that are shown so long that the square
+// of their length is no float.
+void record_any_angle(Random& random, Recorder& out)
+{
+    const auto record_lean = [&](const Lean& lean) {
+        out.append("shear", ask<oblique_shear>(out, lean));
+        out.append("direction", ask<projector_direction>(out, lean));
+    };
+    for (int i = 0; i < 50; ++i) {
+        const float length = random.uniform(0.25F, 1.5F) * (random.below(2) == 0 ? 1.0F : -1.0F);
+        const float sign = random.below(2) == 0 ? 1.0F : -1.0F;
+        record_lean({sign * std::pow(10.0F, random.uniform(3.5F, 7)), length});
+        const float axis = 90.0F * (static_cast<float>(random.below(8)) - 4);
+        const float beside = sign * std::pow(10.0F, random.uniform(-5, -0.5F));
+        record_lean({axis + beside, length});
+        record_lean({axis - beside, length});
+        record_lean({random.uniform(-180, 180), sign * std::pow(10.0F, random.uniform(15, 37))});
     }
 }
 
@@ -110,6 +134,7 @@ const Driver driver = {
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"refused", [](Case& c, Recorder& out) { record_refused(c.random, out); }},
     {"extremes", [](Case& c, Recorder& out) { record_extremes(c.random, out); }},
+    {"any angle", [](Case& c, Recorder& out) { record_any_angle(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { draw_islands(c.vary, out); }},
 };
 

@@ -104,8 +104,20 @@ TEST(ObliqueAccuracy, reference_keeps_its_guarantee)
     Random random(seed);
     for (int i = 0; i < 30'000; ++i) {
         const float rest = std::pow(10.0F, random.uniform(-4, 1.9F));
-        const float alpha = i % 4 == 0 ? rest : 90 - rest;
+        const float tiny = std::pow(10.0F, random.uniform(-36.5F, -4));
+        const float alpha = i % 4 == 0 ? rest : i % 4 == 1 ? tiny : 90 - rest;
         ASSERT_LE(tests::ulps_between(reference.foreshortening(alpha), oracle.foreshortening(alpha)), 1)
             << "seed " << seed << ", angle " << i;
+        const float angle = std::pow(10.0F, random.uniform(0, 9));
+        const Lean lean{i % 2 == 0 ? angle : -angle, std::pow(10.0F, random.uniform(-2, 37))};
+        const glm::dvec3 column(reference.shear(lean)[2]);
+        const glm::dvec3 right(oracle.shear(lean)[2]);
+        const glm::dvec3 direction(reference.direction(lean));
+        const glm::dvec3 right_direction(oracle.direction(lean));
+        for (int k = 0; k < 3; ++k) {
+            ASSERT_NEAR(column[k], right[k], 6.1e-8 * std::abs(right[k]) + 1e-15 * length(right)) << "lean " << i;
+            ASSERT_NEAR(direction[k], right_direction[k], 6.1e-8 * std::abs(right_direction[k]) + 1e-15)
+                << "lean " << i;
+        }
     }
 }
