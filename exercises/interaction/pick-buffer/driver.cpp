@@ -80,6 +80,7 @@ void record_parsing(Recorder& out, Random& random)
     for (int i = 0; i < 40; ++i) {
         std::vector<SelectionRecord> crafted(random.below(7));
         for (SelectionRecord& one : crafted) one = random_record(random);
+        if (i % 20 == 5) crafted.push_back(record_of_many_names(random));
         record(crafted, random.below(5));
     }
 }
@@ -91,6 +92,7 @@ void record_damaged(Recorder& out, Random& random)
     for (int i = 0; i < 49; ++i) {
         std::vector<SelectionRecord> crafted(1 + random.below(4));
         for (SelectionRecord& one : crafted) one = random_record(random);
+        if (i % 6 == 1) crafted.front() = record_of_many_names(random);
         Words words;
         std::size_t last = 0;
         for (const SelectionRecord& one : crafted) {
@@ -217,22 +219,26 @@ void record_depths(Recorder& out, Random& random)
     }
 }
 
-// Buffers that the records fill to the last word, and their twins that are too small, for the last record or for the
-// first one alone; and what comes after.
+// Buffers that the records fill to the last word, and their twins: a word too small for the last record, or too
+// small by all of it, or too small for the largest, which is the first. Of two buffers of no
+// words at all, one gets a record. And what comes after.
 void record_overflow(Recorder& out, Random& random)
 {
-    for (int i = 0; i < 24; ++i) {
-        // In every other one the first record is the largest, and the only one for which the small buffer has no room.
-        const bool first_largest = i % 2 == 1;
+    for (int i = 0; i < 32; ++i) {
+        const bool first_largest = i % 4 == 1;
+        const bool no_words = i % 4 == 3;
         const std::uint32_t depth = random.below(4);
         const std::uint32_t first_depth = first_largest ? 8 + random.below(4) : depth;
-        const std::uint32_t times = first_largest ? 2 : 1 + random.below(3);
-        const std::size_t needed = 3 + first_depth + std::size_t{times - 1} * (3 + depth);
-        const std::size_t too_small = first_largest ? 2 + first_depth : needed - 1;
+        const std::uint32_t records = first_largest ? 2 : no_words ? 1 : 1 + random.below(3);
+        const std::size_t needed = 3 + first_depth + std::size_t{records - 1} * (3 + depth);
+        const std::size_t without_last = needed - 3 - (records == 1 ? first_depth : depth);
+        const std::size_t too_small = first_largest ? 2 + first_depth : i % 4 == 0 ? needed - 1 : without_last;
         const bool first = random.below(2) == 0;
         for (const bool fits : {first, !first}) {
-            const auto buffer = ask_new<make_selection_buffer>(out, "buffer", fits ? needed : too_small);
+            const std::size_t capacity = no_words ? 0 : fits ? needed : too_small;
+            const auto buffer = ask_new<make_selection_buffer>(out, "buffer", capacity);
             if (!buffer) continue;
+            const std::uint32_t times = no_words && fits ? 0 : records;
             for (std::uint32_t k = 0; k < times; ++k) {
                 carry_out(out, *buffer, init());
                 for (std::uint32_t name = 0; name < (k == 0 ? first_depth : depth); ++name)

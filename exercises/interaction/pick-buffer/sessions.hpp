@@ -112,4 +112,13 @@ inline SelectionRecord random_record(Random& random)
     return record;
 }
 
+/// With more names than a stack of OpenGL needs to have room for.
+inline SelectionRecord record_of_many_names(Random& random)
+{
+    SelectionRecord record = random_record(random);
+    record.names.resize(SelectionBuffer::most_names + 1 + random.below(20));
+    for (std::uint32_t& name : record.names) name = random.bits();
+    return record;
+}
+
 }
