@@ -36,12 +36,13 @@ void distances_by_hand(Variation& vary, Recorder& out)
     out.append("capsule", ask<capsule_distance>(out, near({3, 4, 1}), near({0, 0, 1}), near({0, 0, 9}), 0.5F));
 }
 
-// Every third time all lengths are a power of two times as large, from a millionth to a million; the answers, divided
-// by it, are as exact as the others.
+// Every third time all lengths are a power of two times as large, from 1e-8 to 1e8, and every second of these times
+// smaller than 1e-6; the answers, divided by it, are as exact as the others.
 void random_distances(Recorder& out, Random& random)
 {
     for (int i = 0; i < 200; ++i) {
-        const float size = i % 3 == 0 ? std::ldexp(1.0F, static_cast<int>(random.below(41)) - 20) : 1.0F;
+        const int exponent = static_cast<int>(random.below(i % 6 == 0 ? 5 : 53)) - 26;
+        const float size = i % 3 == 0 ? std::ldexp(1.0F, exponent) : 1.0F;
         const glm::vec3 p = (i % 4 == 0 ? 8 * size : 2 * size) * random.in_cube();
         const float small = size * random.uniform(0.1F, 1);
         const float large = size * random.uniform(1, 2.5F);
@@ -125,16 +126,19 @@ void traces_by_hand(Variation& vary, Recorder& out)
     record_sized({down, {ground(), half_space({0, 1, 0}, 0x1p-11F)}, {0x1p-10F, 64}});
 }
 
-// Every third time all lengths are a power of two times as large, the tolerance too; t is divided by it.
+// Every third time all lengths are a power of two times as large, the tolerance too, and every second of these times so
+// large that the balls are 1e5 to 1e6 away; t is divided by it. Every other direction is longer or shorter, down to
+// 1e-12.
 void random_traces(Recorder& out, Random& random)
 {
     for (int i = 0; i < 300; ++i) {
         Balls all = random_balls(random, 1 + static_cast<int>(random.below(6)));
         Ray ray = clear_ray(all, random);
-        const float size = i % 3 == 0 ? std::ldexp(1.0F, static_cast<int>(random.below(21)) - 8) : 1;
+        const int exponent = static_cast<int>(i % 6 == 0 ? 21 + random.below(4) : random.below(21)) - 8;
+        const float size = i % 3 == 0 ? std::ldexp(1.0F, exponent) : 1;
         for (glm::vec4& ball : all.balls) ball *= size;
         ray.origin *= size;
-        const float longer = i % 2 == 0 ? 1 : std::ldexp(1.0F, static_cast<int>(random.below(41)) - 20);
+        const float longer = i % 2 == 0 ? 1 : std::ldexp(1.0F, static_cast<int>(random.below(61)) - 40);
         ray.direction *= longer;
         record(out, {ray, all.bodies(), {1e-4F * size, 400}}, longer / size);
     }
@@ -159,7 +163,7 @@ void from_inside(Recorder& out, Random& random)
 // Where the interval of the ray decides, the number of steps, or the tolerance; with exact steps.
 void limits(Recorder& out, Random& random)
 {
-    for (int i = 0; i < 80; ++i) {
+    for (int i = 0; i < 90; ++i) {
         const glm::vec3 way = random.unit_vector();
         const glm::vec3 origin = 2.0F * random.in_cube();
         const glm::vec3 axis(1, 0, 0);
@@ -173,7 +177,7 @@ void limits(Recorder& out, Random& random)
         const auto at = [&](float t_min, float t_max) {
             return TraceShot{{origin, way, t_min, t_max}, {ball()}, {1e-4F, 64}};
         };
-        switch (i % 8) {
+        switch (i % 9) {
             case 0: record_pair(out, at(0, far + 0.1F), at(0, far - 0.1F), random); break;
             case 1: record_pair(out, at(far - 0.2F, endless), at(far + 2.2F, endless), random); break;
             case 2: {
@@ -185,7 +189,7 @@ void limits(Recorder& out, Random& random)
                 break;
             }
             case 3:
-                if (i % 16 == 3) {
+                if (i % 18 == 3) {
                     const int steps = 100 + static_cast<int>(random.below(1000));
                     const auto body = [&] { return in_steps(static_cast<float>(steps) / 64, 1.0F / 64); };
                     record_pair(out, {{{0, 0, 0}, axis}, {body()}, {1e-4F, steps + 1}},
@@ -207,6 +211,14 @@ void limits(Recorder& out, Random& random)
                 record_pair(out, {{origin, way}, {everywhere(0.25F)}, {0.25F, 50}},
                             {{origin, way}, {everywhere(0.25F)}, {0.125F, 50}}, random);
                 break;
+            case 7: {
+                // Far away, t counted in as many units: two steps are enough.
+                const float away = std::exp2(random.uniform(14.5F, 20));
+                const auto far_ball = [&] { return ball_at(origin + 2 * away * way, away); };
+                record_pair(out, {{origin, away * way}, {far_ball()}, {1e-4F * away, 3}},
+                            {{origin, away * way}, {far_ball()}, {1e-4F * away, 1}}, random);
+                break;
+            }
             default:
                 record_pair(out, {{origin, way, 0.25F}, {everywhere(0.25F)}, {0.25F, 1}},
                             {{origin, way, 0.25F}, {everywhere(0.25F)}, {0.25F, 0}}, random);
