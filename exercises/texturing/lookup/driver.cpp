@@ -140,15 +140,17 @@ void across_seams(Random& random, Recorder& out)
     record(out, textures, queries);
 }
 
-// One texel, one row, one column: everything is its own neighbour.
+// One texel, one row, one column: everything is its own neighbour. And two texels, of which each is the other's, on
+// both sides where they repeat.
 void thin(Random& random, Recorder& out)
 {
     const Textures textures = {random_texture(random, 1, 1), random_texture(random, 7, 1),
-                               random_texture(random, 1, 3)};
+                               random_texture(random, 1, 3), random_texture(random, 2, 1),
+                               random_texture(random, 1, 2), random_texture(random, 2, 2)};
     std::vector<Query> queries;
-    for (int i = 0; i < 150; ++i) {
+    for (int i = 0; i < 300; ++i) {
         const Sampler sampler{both_filters[random.below(2)], random_wrap(random), random_wrap(random)};
-        const std::size_t texture = random.below(3);
+        const std::size_t texture = random.below(6);
         const auto coordinate = [&](int count) { return inside_texel(random, count, 2); };
         const float u = coordinate(textures[texture].width);
         queries.push_back({texture, sampler, {u, coordinate(textures[texture].height)}});
@@ -197,7 +199,7 @@ void without_texels(Random& random, Recorder& out)
 }
 
 // A long way from 0 the fraction has few bits left, and a product with the size has none to spare; just below 0 it
-// rounds up to 1. The largest have no fraction left, and no int holds them.
+// rounds up to 1. The largest have no fraction left, and no whole number of 32 or 64 bits holds them.
 void far_out(Random& random, Recorder& out)
 {
     const Textures textures = {random_texture(random, 256, 256), random_texture(random, 300, 77)};
@@ -208,6 +210,7 @@ void far_out(Random& random, Recorder& out)
         for (int axis = 0; axis < 2; ++axis) {
             const float power = i % 6 == 0   ? random.uniform(-30, -9)
                                 : i % 6 == 1 ? random.uniform(7, 12)
+                                : i % 6 == 2 ? random.uniform(17, 38)
                                              : random.uniform(2, 6);
             const float size = std::pow(10.0F, power);
             uv[axis] = (random.below(2) == 0 ? -size : size);
