@@ -154,6 +154,8 @@ const Driver driver = {
          // Folds: sums of 2^-16 and 2^-24, on either side of the shortest that has a direction.
          record_written(c, out, {{1, 0}, {2, 0}, {1, 0x1p-16F}}, 5);
          record_written(c, out, {{1, 0}, {2, 0}, {1, 0x1p-24F}}, 5);
+         // Two points whose distance is less than a step of t.
+         record_written(c, out, {{2, 0}, {0.25F, 5}, {0.25F + 0x1p-24F, 5}, {2, 9}}, 12);
          record_written(c, out, profiles::pawn(), 7);
          record_written(c, out, {{0, 0}, {1, 0.5F}, {1, 0.5F}, {2, 2}, {0, 3}}, 5, 0x1p-16F);
          out.text("triangles.names", names_of_triangles);

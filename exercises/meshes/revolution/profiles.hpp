@@ -27,7 +27,7 @@ inline Profile semicircle(int points)
 }
 
 /// Any profile that goes up and down, in and out; some points lie on the axis or just beside it, some stand twice or
-/// three times, and one profile in four ends where it began.
+/// three times or have a neighbour so near that both have the same t, and one profile in four ends where it began.
 inline Profile some_profile(Random& random)
 {
     Profile profile{{random.uniform(0.5F, 2), random.uniform(-1, 1)}};
@@ -39,6 +39,9 @@ inline Profile some_profile(Random& random)
         if (kind == 0 && random.below(2) == 0) profile.push_back(next);
         if (kind == 1) next.x = 0;
         if (kind == 2) next.x = 0x1p-15F * random.uniform(0.5F, 1);
+        // By two floats: so far that they do not become one point when they are turned.
+        if (kind >= 6 && profile.back().x > 0)
+            next = {std::nextafter(std::nextafter(profile.back().x, 4.0F), 4.0F), profile.back().y};
         profile.push_back(next);
     }
     profile.emplace_back(1.5F, profile.back().y + 1);
