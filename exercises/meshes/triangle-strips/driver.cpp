@@ -32,6 +32,28 @@ void record_grids(Variation& vary, Recorder& out)
     log.finish();
 }
 
+// Grids without columns, of up to 2^32 - 1 rows, and without rows; each with one that has some, in random order. Who
+// asks for memory for rows of nothing gets none, and has no answer.
+void record_empty_grids(Random& random, Recorder& out)
+{
+    const auto record = [&](const glm::uvec2& size) {
+        try {
+            out.append("counts", static_cast<float>(ask<grid_strips>(out, size.x, size.y).size()));
+        } catch (const std::exception& failure) {
+            out.refused("counts", failure.what());
+            out.append("counts", std::nanf(""));
+        }
+    };
+    for (int i = 0; i < 12; ++i) {
+        const std::uint32_t many = i % 6 == 0 ? 0xFFFFFFFFU : 0x40000000U + random.below(0xBFFFFFFFU);
+        const std::uint32_t some = 1 + random.below(300);
+        const glm::uvec2 empty = i % 3 == 2 ? glm::uvec2(some, 0) : glm::uvec2(0, many);
+        const glm::uvec2 whole(1 + random.below(9), 1 + random.below(9));
+        const bool first = random.below(2) == 0;
+        for (const bool is_empty : {first, !first}) record(is_empty ? empty : whole);
+    }
+}
+
 void record_decoded(Recorder& out, StripLog& log, const std::string& name, const Strip& strip)
 {
     log.begin(name + ": triangle");
@@ -259,6 +281,7 @@ void record_work(Random& random, Recorder& out)
 
 const Driver driver = {
     {"grid", [](Case& c, Recorder& out) { record_grids(c.vary, out); }},
+    {"empty grids", [](Case& c, Recorder& out) { record_empty_grids(c.random, out); }},
     {"decoding", [](Case& c, Recorder& out) { record_known_strips(c.vary, out); }},
     {"decoding at random", [](Case& c, Recorder& out) { record_random_strips(c.random, out); }},
     {"joining", [](Case& c, Recorder& out) { record_joined(c.random, out); }},
