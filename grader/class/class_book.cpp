@@ -38,6 +38,7 @@ ClassResult ClassBook::result() const
         result.submissions.push_back(graded.result);
         if (graded.elsewhere) result.elsewhere.push_back(id);
     }
+    result.left_out = left_out_;
     for (const auto& [id, cause] : troubles_) result.unwritten.push_back({id, cause});
     return result;
 }

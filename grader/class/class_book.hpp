@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "class/submission_parts.hpp"
@@ -15,7 +16,10 @@ namespace umbral::grader {
 /// threads at once, but for is_shut().
 class ClassBook {
 public:
-    explicit ClassBook(const SubmissionPlan& plan) : plan_(plan) {}
+    /// `left_out`: units that are not graded, for the results to tell of.
+    ClassBook(const SubmissionPlan& plan, std::vector<LeftOut> left_out) : plan_(plan), left_out_(std::move(left_out))
+    {
+    }
 
     /// A submission whose results are not there yet, or are older than its files.
     void await(const std::string& id) { awaited_.insert(id); }
@@ -51,6 +55,7 @@ private:
     void publish() const;
 
     const SubmissionPlan& plan_;
+    std::vector<LeftOut> left_out_;
     std::map<std::string, Graded> known_;
     std::set<std::string> awaited_;
     std::map<std::string, std::string> troubles_;  ///< causes by submission; "": class.json

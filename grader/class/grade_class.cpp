@@ -120,7 +120,7 @@ public:
           keys_(tools, exercises, key_plan_),
           plan_{tools,     exercises,     options.course_units.empty() ? exercises : options.course_units, out_, keys_,
                 key_plan_, options.secret},
-          book_(plan_)
+          book_(plan_, options.left_out)
     {
     }
 

@@ -30,6 +30,7 @@ struct ClassOptions {
     bool explain = true;
     bool instructor_edition = false;  ///< write report.instructor.html too, in which hidden checks show their values
     bool fresh = false;               ///< ask again for what was kept
+    std::vector<LeftOut> left_out{};  ///< for the result to tell of
 };
 
 /// What one run did.

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "class/grade_class.hpp"
+#include "class/handed_in.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
 #include "cli/commands.hpp"
@@ -52,20 +54,29 @@ std::vector<SubmissionFolder> folders_of(const GradeCommand& command)
     }
 }
 
-/// The units of which some submission has a file; maybe none.
-std::vector<Exercise> handed_in(const Application& application, const std::vector<Exercise>& exercises,
-                                const GradeCommand& command)
+/// Without a unit that enough submissions have files of there is nothing to grade for all.
+void refuse_no_task(const GradeCommand& command, const HandedIn& handed)
 {
-    std::vector<bool> seen(exercises.size(), false);
-    for (const SubmissionFolder& submission : folders_of(command)) {
-        const SubmittedFiles files = read_submission(submission.folder, exercises, archive_tools(application.tools));
-        for (std::size_t i = 0; i < exercises.size(); ++i)
-            seen[i] = seen[i] || !collect(files, exercises[i]).files.empty();
-    }
-    std::vector<Exercise> result;
-    for (std::size_t i = 0; i < exercises.size(); ++i)
-        if (seen[i]) result.push_back(exercises[i]);
-    return result;
+    if (!handed.task.empty()) return;
+    if (handed.too_few.empty())
+        throw UsageError(fmt::format("{}: nobody handed in a file of any unit", command.submissions));
+    std::vector<std::string> units;
+    for (const LeftOut& one : handed.too_few)
+        units.push_back(fmt::format("{} ({})", one.unit, listed(one.submissions)));
+    throw UsageError(
+        fmt::format("{}: no unit is handed in by enough submissions to be the class's task: {}. Name the "
+                    "units of the task by --unit",
+                    command.submissions, listed(units)));
+}
+
+/// The units that anybody began.
+std::vector<Exercise> begun(const std::vector<Exercise>& exercises, const HandedIn& handed)
+{
+    std::vector<Exercise> units = handed.task;
+    std::ranges::copy_if(exercises, std::back_inserter(units), [&](const Exercise& exercise) {
+        return std::ranges::find(handed.too_few, exercise.id, &LeftOut::unit) != handed.too_few.end();
+    });
+    return units;
 }
 
 /// Tells how far a class is: one line that is written over and over on a terminal, otherwise a line for each
@@ -154,19 +165,25 @@ void grade_and_print(Application& application, const GradeCommand& command)
     try {
         expect_distinct(command.submissions, command.out);
         std::vector<Exercise> exercises = application.chosen(command.units);
+        std::vector<LeftOut> left_out;
         if (command.handed_in || !are_built(application, exercises)) {
             // Known mistakes explain what is wrong: they are built of units that somebody handed in.
-            const std::vector<Exercise> begun = handed_in(application, exercises, command);
-            if (command.handed_in && begun.empty())
-                throw UsageError(fmt::format("{}: nobody handed in a file of any unit", command.submissions));
-            have_built(application, begun);
-            if (command.handed_in) exercises = begun;
+            HandedIn handed = handed_in(folders_of(command), exercises, archive_tools(application.tools));
+            if (command.handed_in) {
+                refuse_no_task(command, handed);
+                exercises = std::move(handed.task);
+                left_out = std::move(handed.too_few);
+                have_built(application, exercises);
+            } else {
+                have_built(application, begun(exercises, handed));
+            }
         }
         have_built(application, exercises, UnitParts::answers);
         // Reports hold the values of hidden checks: they are nobody else's to read.
         umask(S_IRWXG | S_IRWXO);
         make_folder(command.out);
         ClassOptions options = options_of(application, command);
+        options.left_out = std::move(left_out);
         options.secret = secret_from(command.secret_file);
         options.fingerprint = [&] {
             Worker first(application.tools);
@@ -200,7 +217,8 @@ void add_grade(Command command, Application& application)
         .between(0, most_jobs)
         .with_default();
     command.option("--unit", options->units, "Only these units");
-    command.flag("--handed-in", options->handed_in, "Only units that somebody handed in");
+    command.flag("--handed-in", options->handed_in,
+                 "Only units that a tenth of the class handed in, and two submissions at least if there are two");
     command.option("--course", options->course, "Part of what hidden seeds follow from").with_default();
     command.option("--attempt", options->attempt, "Another number gives other random inputs").with_default();
     command.option("--secret-file", options->secret_file,

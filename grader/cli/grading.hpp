@@ -16,7 +16,7 @@ struct GradeCommand {
     bool fresh = false;             ///< ask again for what was kept
     unsigned jobs = 0;
     std::vector<std::string> units;
-    bool handed_in = false;  ///< of these, only units that somebody handed in
+    bool handed_in = false;  ///< of these, only the class's task (class/handed_in.hpp)
     std::string course = "course";
     unsigned attempt = 0;
     std::string secret_file;

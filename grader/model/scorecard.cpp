@@ -131,6 +131,8 @@ json fault(const Fault& value)
             {"units", list(value.places, place)}};
 }
 
+json left_out(const LeftOut& value) { return {{"unit", value.unit}, {"submissions", list(value.submissions, text)}}; }
+
 json document(const char* format, const Fingerprint& fingerprint)
 {
     return {{"format", format},
@@ -169,6 +171,7 @@ json to_json(const ClassResult& result)
     root["faults"] = list(faults(result), fault);
     root["unfinished"] = list(result.unfinished, text);
     root["elsewhere"] = list(result.elsewhere, text);
+    root["left_out"] = list(result.left_out, left_out);
     root["submissions"] =
         list(result.submissions, [](const SubmissionResult& item) { return submission(item, Detail::for_class); });
     return root;

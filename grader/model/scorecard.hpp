@@ -125,6 +125,12 @@ struct Unwritten {
     std::string cause;
 };
 
+/// A unit that is not graded, since so few submissions have files of it that it seems not to be the class's task.
+struct LeftOut {
+    std::string unit;
+    std::vector<std::string> submissions;
+};
+
 struct ClassResult {
     Fingerprint fingerprint;
     std::vector<SubmissionResult> submissions;
@@ -134,6 +140,7 @@ struct ClassResult {
     std::vector<std::string>
         elsewhere{};  ///< ids with results of an earlier run, by another version of Umbral or on another machine
     std::vector<Unwritten> unwritten{};
+    std::vector<LeftOut> left_out{};
 };
 
 /// Sums the units' points into the submission's. A unit with a grader fault is in neither sum: our fault is nobody's

@@ -60,6 +60,14 @@ std::vector<Fault::Place> whole(const std::vector<std::string>& submissions)
     return places;
 }
 
+std::vector<Fault::Place> who_began(const std::vector<LeftOut>& units)
+{
+    std::vector<Fault::Place> places;
+    for (const LeftOut& one : units)
+        for (const std::string& id : one.submissions) places.push_back({id, one.unit});
+    return places;
+}
+
 }
 
 std::vector<Notice> notices(const ClassResult& result)
@@ -82,6 +90,13 @@ std::vector<Notice> notices(const ClassResult& result)
                          counted(count, "submission"), count == 1 ? "is" : "are"),
              "", "If grading does not go on right now, run the same command again: only what is missing is graded.",
              whole(unfinished)});
+    if (const std::size_t count = result.left_out.size(); count > 0)
+        all.push_back(
+            {false,
+             fmt::format("{} {} in no sum: hardly anybody handed {} in.", counted(count, "unit"),
+                         count == 1 ? "is" : "are", count == 1 ? "it" : "them"),
+             "", "If it is the class's task, name all units of the task: --unit grades those named, for everybody.",
+             who_began(result.left_out)});
     if (const std::size_t count = result.elsewhere.size(); count > 0)
         all.push_back(
             {false,

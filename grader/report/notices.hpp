@@ -18,8 +18,8 @@ struct Notice {
     std::vector<Fault::Place> who;  ///< unit empty: all of the submission
 };
 
-/// What stands at the head of a class's table and page: faults by cause, what is unfinished, and what was graded
-/// elsewhere.
+/// What stands at the head of a class's table and page: faults by cause, what is unfinished, what is not graded,
+/// and what was graded elsewhere.
 [[nodiscard]] std::vector<Notice> notices(const ClassResult& result);
 
 /// "ana: raytracing/sphere, lighting/shaders; bruno: raytracing/sphere and 20 more": who is concerned, in at most

@@ -148,13 +148,21 @@ TEST(Class, a_second_grading_agrees_but_for_times)
 TEST(Grade, handed_in_means_units_of_which_there_is_a_file)
 {
     const TemporaryFolder folder;
-    folder.write("class/a/sphere.cpp", "// nothing yet");
-    folder.write("class/b/meshes/vertex-normals/vertex_normals.cpp", "// nothing yet");
-    EXPECT_EQ(grade((folder / "class").string(), folder, "", " --handed-in").status, 0);
+    for (const char* const who : {"a", "b", "mallory"})
+        folder.write(std::string("class/") + who + "/sphere.cpp", "// nothing yet");
+    // What hardly anybody handed in is in nobody's sum, whoever did.
+    folder.write("class/mallory/meshes/vertex-normals/vertex_normals.cpp", "// nothing yet");
+    const Printed printed = grade((folder / "class").string(), folder, "", " --handed-in");
+    EXPECT_EQ(printed.status, 0);
+    EXPECT_NE(printed.text.find("1 unit is in no sum"), std::string::npos) << printed.text;
+    EXPECT_NE(printed.text.find("mallory: meshes/vertex-normals"), std::string::npos) << printed.text;
     const json graded = json::parse(read(folder / "out/class.json"));
-    ASSERT_EQ(graded.at("submissions").size(), 2U);
-    ASSERT_EQ(graded.at("submissions").at(0).at("units").size(), 2U);
-    EXPECT_EQ(graded.at("submissions").at(0).at("units").at(0).at("id"), "meshes/vertex-normals");
+    ASSERT_EQ(graded.at("submissions").size(), 3U);
+    for (const json& submission : graded.at("submissions")) {
+        ASSERT_EQ(submission.at("units").size(), 1U);
+        EXPECT_EQ(submission.at("units").at(0).at("id"), "raytracing/sphere");
+    }
+    EXPECT_EQ(graded.at("left_out").at(0).at("submissions"), json::array({"mallory"}));
     std::filesystem::create_directories(folder / "idle/c");
     const Printed idle = grade((folder / "idle").string(), folder, "", " --handed-in");
     EXPECT_EQ(idle.status, 2);

@@ -34,7 +34,7 @@ TEST(ClassJson, is_this_text)
         "tool": {"version": "0.1.0", "commit": "2a63927"},
         "machine": {"cpu": "Some CPU", "compiler": "g++ 12.2", "gl": "llvmpipe 22.3.6", "libm": "glibc 2.36",
         "protections": ["landlock 4", "seccomp"]},
-        "course": "", "attempt": 0, "secret": "", "unfinished": [], "elsewhere": [],
+        "course": "", "attempt": 0, "secret": "", "unfinished": [], "elsewhere": [], "left_out": [],
         "faults": [],
         "submissions": [{"id": "student-1", "score": 1250, "max_score": 6000, "units": [{
             "id": "raytracing/sphere", "digest": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa",

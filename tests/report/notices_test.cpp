@@ -63,18 +63,22 @@ TEST(Notices, tell_of_what_is_unfinished_unwritten_or_graded_elsewhere)
     ClassResult result;
     result.unfinished = {"ana", "bo", "dan"};
     result.elsewhere = {"cy"};
+    result.left_out = {{"lighting/phong", {"mallory"}}, {"raytracing/disc", {"mallory"}}};
     result.unwritten = {{"ana", "/out/ana: the reports of ana belong here, but Umbral did not make this folder"},
                         {"", "/out/class.json: cannot write it: Disk quota exceeded"}};
     const std::vector<Notice> found = notices(result);
-    ASSERT_EQ(found.size(), 4U);
+    ASSERT_EQ(found.size(), 5U);
     EXPECT_EQ(found[0].headline, "The reports of 1 submission could not be written.");
     EXPECT_TRUE(has(found[0].remedy, "Move that away")) << found[0].remedy;
     EXPECT_EQ(found[1].headline, "class.json and index.html could not be written.");
     EXPECT_EQ(found[1].who.size(), 0U);
     EXPECT_EQ(who_in_words(found[2]), "bo; dan") << "ana's trouble is told already";
     EXPECT_TRUE(found[2].fault);
-    EXPECT_EQ(who_in_words(found[3]), "cy");
+    EXPECT_EQ(found[3].headline, "2 units are in no sum: hardly anybody handed them in.");
+    EXPECT_EQ(who_in_words(found[3]), "mallory: lighting/phong, raytracing/disc");
     EXPECT_FALSE(found[3].fault);
+    EXPECT_EQ(who_in_words(found[4]), "cy");
+    EXPECT_FALSE(found[4].fault);
 }
 
 TEST(Class, the_median_leaves_out_who_was_not_scored)
