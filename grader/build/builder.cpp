@@ -17,6 +17,7 @@
 #include "build/check_names.hpp"
 #include "build/compile.hpp"
 #include "build/inspection.hpp"
+#include "build/offered.hpp"
 #include "model/caps.hpp"
 #include "model/digest.hpp"
 #include "model/recording.hpp"
@@ -29,20 +30,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> lines_of(const fs::path& file)
-{
-    std::vector<std::string> lines;
-    std::istringstream text(read_text(file));
-    for (std::string line; std::getline(text, line);) lines.push_back(line);
-    return lines;
-}
-
 /// Everything that decides what a build gives: the precompiled header stands for those of all units, the unit's digest
 /// for its interfaces.
 std::string content_key(const Toolchain& tools, const Exercise& exercise, const Sources& files)
 {
     const fs::path header = tools.student_header.string() + ".gch";
-    std::string all = fmt::format("10\n{}\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.digest, exercise.gl,
+    std::string all = fmt::format("11\n{}\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.digest, exercise.gl,
                                   exercise.gl_calls, exercise.glfw, exercise.counts_work, tools.compiler,
                                   fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
     all += fmt::format("{} {}\n", fs::file_size(header), fs::last_write_time(header).time_since_epoch().count());
@@ -157,16 +150,6 @@ Compilation compile_surely(const Toolchain& tools, const Exercise& exercise, con
     return compilation;
 }
 
-/// What may be called from outside beside the C++ library: the framework, and the units that this one uses.
-std::set<std::string> offered_names(const Toolchain& tools, const Exercise& exercise)
-{
-    std::set<std::string> offered;
-    for (std::string& name : lines_of(tools.units / "framework-exports.txt")) offered.insert(std::move(name));
-    for (const std::string& used : exercise.uses)
-        for (std::string& name : lines_of(unit_folder(tools, used) / "exports.txt")) offered.insert(std::move(name));
-    return offered;
-}
-
 /// Looking through the cache takes a while: done at a process's first new build, and again after many.
 void prune_now_and_then(const Toolchain& tools)
 {
@@ -186,7 +169,7 @@ bool look_at(const Toolchain& tools, const Exercise& exercise, const fs::path& l
             "information";
         return false;
     }
-    const auto objection = object_to(*inspection, offered_names(tools, exercise), exercise);
+    const auto objection = object_to(*inspection, offered_to(tools, exercise), exercise);
     built.verdict = objection ? objection->verdict : Verdict::ok;
     if (objection) built.message = printable(objection->message, caps::message);
     return true;

@@ -35,12 +35,13 @@ std::optional<Objection> missing_interface(const Inspection& inspection)
 
 }
 
-std::optional<Objection> object_to(const Inspection& inspection, const std::set<std::string>& offered,
-                                   const Exercise& exercise)
+std::optional<Objection> object_to(const Inspection& inspection, const Offered& offered, const Exercise& exercise)
 {
     // A forbidden name comes first: it is the reason to tell, even if the interface is wrong as well.
     if (auto forbidden = find_forbidden(inspection, exercise.forbid))
         return Objection{Verdict::forbidden, *std::move(forbidden)};
+    if (auto foreign = find_of_other_units(inspection, offered))
+        return Objection{Verdict::forbidden, *std::move(foreign)};
     if (auto missing = missing_interface(inspection)) return missing;
     if (exercise.counts_work && !inspection.uncounted.empty())
         return Objection{Verdict::forbidden, fmt::format("{}: the work of this unit is counted, and all of it must be; "
@@ -55,7 +56,7 @@ std::optional<Objection> object_to(const Inspection& inspection, const std::set<
     std::string reason;
     for (const InspectedSymbol& symbol : inspection.undefined) {
         const bool allowed =
-            is_allowed_symbol(symbol.name, exercise.gl_calls, exercise.glfw) || offered.contains(symbol.name);
+            is_allowed_symbol(symbol.name, exercise.gl_calls, exercise.glfw) || offered.symbols.contains(symbol.name);
         if (allowed && !evades(symbol.name)) continue;
         wanted.push_back(symbol.readable);
         const std::string_view what = what_is_wrong_with(symbol.name);

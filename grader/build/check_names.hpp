@@ -1,11 +1,11 @@
 #pragma once
 
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "build/inspection.hpp"
+#include "build/offered.hpp"
 #include "build/submission.hpp"
 #include "model/exercise.hpp"
 #include "model/verdict.hpp"
@@ -18,9 +18,9 @@ struct Objection {
     std::string message;
 };
 
-/// Does the library define the whole interface, want only what is allowed or in `offered` (mangled), and use nothing
-/// that the exercise forbids?
-[[nodiscard]] std::optional<Objection> object_to(const Inspection& inspection, const std::set<std::string>& offered,
+/// Does the library define the whole interface, want only what is allowed or in `offered`, and use nothing that the
+/// exercise forbids, or that belongs to other units?
+[[nodiscard]] std::optional<Objection> object_to(const Inspection& inspection, const Offered& offered,
                                                  const Exercise& exercise);
 
 /// The same for GLSL: forbidden names among the words outside comments.

@@ -134,12 +134,12 @@ std::string first_errors(std::string_view output, std::size_t lines)
 
 bool blames_own_file(std::string_view output, const Sources& files)
 {
+    if (linker_refuses_files(output)) return true;
     std::istringstream stream{std::string(output)};
     const auto is_error = [](const std::string& line, std::size_t from) {
         return line.find(" error: ", from) != std::string::npos;
     };
     for (std::string line; std::getline(stream, line);) {
-        if (line.find("duplicate symbol: ") != std::string::npos) return true;
         for (const auto& [name, text] : files)
             if (line.starts_with(name + ":") && is_error(line, name.size())) return true;
     }
@@ -161,8 +161,9 @@ bool has_no_time(const Toolchain& tools)
 /// By what the clock says, or by the compiler's word about a process of its own.
 bool ran_out_of_processor_time(const ConfinedResult& result)
 {
-    return result.stopped == Stopped::out_of_processor_time ||
-           result.output.find("CPU time limit exceeded signal") != std::string::npos;
+    constexpr std::string_view word = "g++: fatal error: CPU time limit exceeded signal terminated program ";
+    return result.stopped == Stopped::out_of_processor_time || result.output.starts_with(word) ||
+           result.output.find(fmt::format("\n{}", word)) != std::string::npos;
 }
 
 /// Was the compiler given less than it may take at most, which is all that is left?
@@ -224,10 +225,9 @@ Outcome outcome_of(const ConfinedResult& result, const Sources& files)
 {
     if (ran_out_of_processor_time(result) || result.stopped == Stopped::too_much_disk) return Outcome::too_expensive;
     // What the machine lacks may also show as an error in a student's line.
-    return result.stopped == Stopped::no && !mentions_machine_trouble(result.output) &&
-                   blames_own_file(result.output, files)
-               ? Outcome::refused_by_compiler
-               : Outcome::unexplained;
+    const bool is_theirs = linker_refuses_files(result.output) ||
+                           (!mentions_machine_trouble(result.output) && blames_own_file(result.output, files));
+    return result.stopped == Stopped::no && is_theirs ? Outcome::refused_by_compiler : Outcome::unexplained;
 }
 
 /// The library that the compiler makes of the files by this task.

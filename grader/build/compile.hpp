@@ -51,7 +51,7 @@ enum class Diagnostics { plain, json };
 [[nodiscard]] std::string first_errors(std::string_view output, std::size_t lines);
 
 /// Does g++ output, without this machine's paths, hold an error whose place is one of these files: "sphere.cpp:3:5:
-/// error: …"? Or one about two definitions of the same name, which only the linker sees.
+/// error: …"? Or one of the linker's, who alone sees two definitions of the same name.
 [[nodiscard]] bool blames_own_file(std::string_view output, const Sources& files);
 
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 namespace umbral::grader {
 namespace {
@@ -9,37 +10,57 @@ namespace {
 /// Memory that runs out may be the machine's, or what a student's templates take.
 constexpr std::string_view killed = "Killed signal";
 
-/// What compilers, assemblers and linkers print when the machine is at its end, not the student.
-constexpr std::array<std::string_view, 10> signs{"No space left on device",
-                                                 "Disk quota exceeded",
-                                                 "Read-only file system",
-                                                 "Input/output error",
-                                                 "Too many open files",
-                                                 "Resource temporarily unavailable",
-                                                 killed,
-                                                 "Cannot fork",
-                                                 "cannot fork",
-                                                 "vfork: "};
+/// What compilers, assemblers and linkers print when the machine is at its end, not the student: the system's words for
+/// its error, which end a line.
+constexpr std::array<std::string_view, 6> signs{"No space left on device", "Disk quota exceeded",
+                                                "Read-only file system",   "Input/output error",
+                                                "Too many open files",     "Resource temporarily unavailable"};
 
 /// How the lines begin that a tool prints of itself; the last is what ends a program that throws.
-constexpr std::array<std::string_view, 8> speakers{
-    "g++: ", "cc1plus: ", "as: ", "collect2: ", "ld: ", "mold: ", "/tmp/cc", "  what():  "};
+constexpr std::array<std::string_view, 7> speakers{
+    "g++: ", "cc1plus: ", "as: ", "collect2: ", "ld: ", "mold: ", "  what():  "};
+
+/// So begin the linker's lines about symbols, sections and relocations, all of which the files name.
+constexpr std::string_view about_input = "mold: error: ";
+
+bool ends_with_sign(std::string_view line)
+{
+    // The assembler quotes the system.
+    if (line.ends_with('\'')) line.remove_suffix(1);
+    return std::ranges::any_of(signs, [&](std::string_view sign) { return line.ends_with(sign); });
+}
+
+/// "/tmp/ccbNoDhr.s: Fatal error: …": the assembler's lines about what it was given have a number behind the name.
+bool is_of_assembler(std::string_view line)
+{
+    const std::size_t end = line.find(": ");
+    return line.starts_with("/tmp/cc") && end != line.npos && line.substr(end).starts_with(": Fatal error: ") &&
+           line.find(':') == end;
+}
 
 }
 
 bool mentions_machine_trouble(std::string_view output)
 {
-    return std::ranges::any_of(signs, [&](std::string_view sign) { return output.find(sign) != output.npos; });
+    const auto is_in_it = [&](std::string_view sign) { return output.find(sign) != output.npos; };
+    return is_in_it(killed) || std::ranges::any_of(signs, is_in_it);
+}
+
+bool linker_refuses_files(std::string_view output)
+{
+    return output.starts_with(about_input) || output.find("\n" + std::string(about_input)) != output.npos;
 }
 
 bool tools_are_in_trouble(std::string_view output)
 {
+    // A name may hold anything, line feeds too.
+    if (linker_refuses_files(output)) return false;
     while (!output.empty()) {
         const std::string_view line = output.substr(0, output.find('\n'));
         output.remove_prefix(std::min(line.size() + 1, output.size()));
         const auto begins = [&](std::string_view speaker) { return line.starts_with(speaker); };
-        if (!std::ranges::any_of(speakers, begins) || line.find(killed) != line.npos) continue;
-        if (mentions_machine_trouble(line)) return true;
+        const bool is_own = std::ranges::any_of(speakers, begins) || is_of_assembler(line);
+        if (is_own && ends_with_sign(line)) return true;
     }
     return false;
 }

@@ -9,9 +9,12 @@ namespace umbral::grader {
 /// many open files". A student can write such words, so this is a reason to try again, and no proof.
 [[nodiscard]] bool mentions_machine_trouble(std::string_view output);
 
-/// Is there such a sign in a line that one of the tools prints of itself, "collect2: fatal error: …" or "  what(): …",
-/// and not of a student's file, nor in a quoted line of it? Then the files are not at fault. A tool that was killed is
-/// no such sign: files may take all the memory that there is.
+/// Does the linker refuse what the files define or want: "mold: error: duplicate symbol: …"? Any other machine would.
+[[nodiscard]] bool linker_refuses_files(std::string_view output);
+
+/// Does a line end with such a sign that one of the tools prints of itself, "collect2: fatal error: …" or "  what():
+/// …", and not of a student's file, nor in a quoted line of it, nor with a name out of it? Then the files are not at
+/// fault. A tool that was killed is no such sign: files may take all the memory that there is.
 [[nodiscard]] bool tools_are_in_trouble(std::string_view output);
 
 }

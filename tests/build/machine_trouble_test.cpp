@@ -28,6 +28,16 @@ TEST(MachineTrouble, what_a_student_can_write_is_no_proof)
         EXPECT_FALSE(tools_are_in_trouble(output)) << output;
         EXPECT_TRUE(mentions_machine_trouble(output)) << output;
     }
+    // Names, which the linker prints as they are, or as C++ writes them.
+    for (const char* const output :
+         {"mold: error: duplicate symbol: a.o: b.o: Cannot fork<int>(int)\n",
+          "mold: error: duplicate symbol: a.o: b.o: x: No space left on device\n",
+          "mold: error: undefined symbol: x\nmold: fatal: No space left on device\n",
+          "collect2: error: Cannot fork<No space left on device>(int)\n",
+          "/tmp/ccbNoDhr.s:12: Error: changed attributes of a: Fatal error: No space left on device\n"})
+        EXPECT_FALSE(tools_are_in_trouble(output)) << output;
+    EXPECT_TRUE(linker_refuses_files("sphere.cpp:1:2: warning: …\nmold: error: undefined symbol: x\n"));
+    EXPECT_FALSE(linker_refuses_files("sphere.cpp:1:2: error: mold: error: undefined symbol: x\n"));
     // Templates that take all the memory end the compiler, too.
     EXPECT_FALSE(tools_are_in_trouble("g++: fatal error: Killed signal terminated program cc1plus\n"));
     EXPECT_TRUE(mentions_machine_trouble("g++: fatal error: Killed signal terminated program cc1plus\n"));

@@ -1,0 +1,10 @@
+#include <umbral/raytracing/intersect.hpp>
+
+struct Cannot {};
+template <class T>
+Cannot fork(T);
+template <>
+Cannot fork<int>(int)
+{
+    return {};
+}
