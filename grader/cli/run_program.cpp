@@ -52,20 +52,20 @@ bool is_named(const std::filesystem::path& path, std::span<char* const> words)
     });
 }
 
-/// The command that the words name, if another program has it. Options may stand before it.
-const ListedCommand* handed_over(std::span<char* const> words, std::span<const ListedCommand> commands)
+/// Has another program the command that the words name? Options may stand before it.
+bool is_handed_over(std::span<char* const> words, std::span<const ListedCommand> commands)
 {
     const auto command = std::ranges::find_if(words, [](std::string_view word) { return !word.starts_with('-'); });
-    if (command == words.end()) return nullptr;
+    if (command == words.end()) return false;
     const auto listed = std::ranges::find(commands, std::string_view(*command), &ListedCommand::name);
-    return listed == commands.end() || listed->add != nullptr ? nullptr : &*listed;
+    return listed != commands.end() && listed->add == nullptr;
 }
 
 int run(std::span<char* const> words, std::span<const ListedCommand> commands)
 {
     const std::span<char* const> given = words.subspan(std::min<std::size_t>(words.size(), 1));
     // Before all else: the other program reads the units itself, and is as strict with the words.
-    if (handed_over(given, commands) != nullptr)
+    if (is_handed_over(given, commands))
         hand_over_to_authors(make_application_without_units(), {given.begin(), given.end()});
     Application application = make_application();
     CommandLine line("umbral",

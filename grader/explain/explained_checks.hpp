@@ -21,8 +21,8 @@ struct CaseChecks {
 
 /// By case: those with failing checks first, of both kinds the smallest first, for most candidates are told apart by
 /// one case. A failing check with a relation is explained by what is wrong with one of its values, as a check of its
-/// own that `plain` keeps; one that holds says nothing. Nor do
-/// the checks of a case that is wrong beside itself only: known mistakes and other questions are asked alone.
+/// own that `plain` keeps; one that holds says nothing. Nor do the checks of a case that is wrong beside itself
+/// only: known mistakes and other questions are asked alone.
 [[nodiscard]] std::vector<CaseChecks> checks_by_case(Worker& worker, const Exercise& exercise, const UnitResult& result,
                                                      const CaseResults& cases, std::list<Check>& plain);
 

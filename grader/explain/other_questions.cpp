@@ -62,12 +62,6 @@ void weigh(const CaseChecks& group, const RunOutcome& run, Candidate& candidate)
     }
 }
 
-/// Does a case leave pictures, and not only rows?
-bool draws(const RunOutcome& run)
-{
-    return std::ranges::any_of(run.recording.tensors, [](const auto& one) { return one.second.columns > 1; });
-}
-
 /// How many other questions one run of this case can be asked: what it can hold, and within a fifth of its time, which
 /// a busy machine stretches.
 std::size_t room(const RunOutcome& plain, const Limits& limits)
@@ -88,7 +82,7 @@ void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group
     if (candidates.empty() || !time.is_left()) return;
     const RunOutcome& plain = worker.trusted(exercise, Answers::reference, group.name, group.result->seed);
     // What one draw leaves in OpenGL's state must not reach the next.
-    const std::size_t most = exercise.gl && draws(plain) ? 1 : room(plain, exercise.limits);
+    const std::size_t most = exercise.gl && leaves_picture(plain) ? 1 : room(plain, exercise.limits);
     if (candidates.size() > most) {
         weigh_all(worker, exercise, group, candidates.first(most), time);
         weigh_all(worker, exercise, group, candidates.subspan(most), time);
@@ -116,7 +110,7 @@ void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group
 
 std::size_t questions_in_time(const RunOutcome& plain)
 {
-    const Patience& patience = draws(plain) ? for_pictures : for_numbers;
+    const Patience& patience = leaves_picture(plain) ? for_pictures : for_numbers;
     const double cost = std::max(plain.cpu_seconds, 1e-4);
     const double least = std::clamp(patience.most_seconds / cost, double(patience.fewest), double(patience.least));
     return static_cast<std::size_t>(std::clamp(patience.seconds / cost, least, double(patience.most)));
@@ -220,7 +214,7 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
 {
     // Pictures cost a hundred times what numbers do, and say less: they are asked where nothing else fails.
     const auto has_numbers = [&](const CaseChecks& group) {
-        return !draws(worker.trusted(exercise, Answers::reference, group.name, group.result->seed));
+        return !leaves_picture(worker.trusted(exercise, Answers::reference, group.name, group.result->seed));
     };
     std::vector<CaseChecks> asked;
     std::ranges::copy_if(groups, std::back_inserter(asked), has_numbers);

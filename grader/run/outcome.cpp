@@ -231,6 +231,7 @@ RunOutcome judge_end(const protocol::Ended& ended, bool confined, std::span<cons
     std::string output = clean(printed, protocol::output_size);
     RunOutcome outcome = judged(ended, confined, bytes, output, request);
     outcome.wall_seconds = ended.wall_seconds;
+    outcome.waited_seconds = ended.waited_seconds;
     outcome.cpu_seconds = ended.cpu_seconds;
     outcome.killed_from_outside = confined && killed_from_outside(ended, request.limits);
     outcome.output = std::move(output);

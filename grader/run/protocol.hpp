@@ -37,7 +37,8 @@ struct Ended {
     std::uint8_t out_of_memory_kill =
         0;  ///< it was killed, and the kernel's killer for lack of memory has been at work
     std::int64_t peak_memory_kib = 0;
-    double wall_seconds = 0;  ///< since it was confined
+    double wall_seconds = 0;    ///< since it was confined
+    double waited_seconds = 0;  ///< of these: ready to compute while others had the processors
     double cpu_seconds = 0;
 };
 

@@ -48,6 +48,7 @@ struct RunOutcome {
     std::string output;   ///< printed text
     std::vector<std::string> refused;  ///< names of system calls that the sandbox refused, each once
     double wall_seconds = 0;           ///< since it entered its sandbox
+    double waited_seconds = 0;         ///< of these: ready to compute while others had the processors
     double cpu_seconds = 0;
     bool killed_from_outside = false;  ///< neither its own doing nor our limits ended it
 };

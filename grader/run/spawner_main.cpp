@@ -101,6 +101,8 @@ protocol::Ended supervise(pid_t run, int confined, double wall_seconds)
     }
     rusage used{};
     int status = 0;
+    // Before the kernel forgets what it counted of the process.
+    ended.waited_seconds = std::max(0.0, waited.seconds() - waited_before);
     while (wait4(run, &status, 0, &used) < 0 && errno == EINTR) {
     }
     ended.wait_status = status;

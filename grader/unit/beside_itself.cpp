@@ -1,6 +1,7 @@
 #include "unit/beside_itself.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "explain/asked_alone.hpp"
 #include "judge/judges.hpp"
@@ -29,13 +30,6 @@ std::vector<std::size_t> checks_of(const Exercise& exercise, const std::string& 
     return places;
 }
 
-/// OpenGL is there once, for both: of a unit that draws, only cases that leave no picture.
-bool may_draw(const Exercise& exercise, const RunOutcome& reference)
-{
-    return exercise.gl &&
-           std::ranges::any_of(reference.recording.tensors, [](const auto& one) { return one.second.columns > 1; });
-}
-
 }
 
 void expect_the_same_beside_others(Worker& worker, const Exercise& exercise, const Built& built, CaseResults& cases,
@@ -47,30 +41,25 @@ void expect_the_same_beside_others(Worker& worker, const Exercise& exercise, con
             continue;
         const std::vector<std::size_t> places = checks_of(exercise, name, result);
         if (places.empty() || !may_repeat(worker, exercise, one)) continue;
-        if (may_draw(exercise, worker.trusted(exercise, Answers::reference, name, one.seed))) continue;
+        // OpenGL is there once, for both.
+        if (exercise.gl && leaves_picture(worker.trusted(exercise, Answers::reference, name, one.seed))) continue;
         const std::uint64_t other = options.seeds.two_seeds_of(exercise, name).second;
-        CaseResult beside = one;
-        beside.student = worker.run_beside(exercise, built, name, one.seed, other);
-        if (beside.student.verdict != Verdict::ok) continue;
-        std::vector<CheckResult> judged;
-        bool worse = false;
+        RunOutcome run = worker.run_beside(exercise, built, name, one.seed, other);
+        if (run.verdict != Verdict::ok) continue;
+        std::swap(one.student, run);  // judged in its place, and put back if all is right
         for (const std::size_t i : places) {
             const Check& check = exercise.checks[i];
+            CheckResult& before = result.checks[i];
             const RunOutcome& expected = worker.trusted(exercise, judged_against(check), name, one.seed);
-            judged.push_back(judge_check(check, beside, expected, worker.basis(exercise, check, one.seed)));
-            worse = worse || judged.back().score < result.checks[i].score;
+            CheckResult found = judge_check(check, one, expected, worker.basis(exercise, check, one.seed));
+            if (found.score >= before.score) continue;
+            found.score = std::max(found.score, before.score * kept_of_ten / 10);
+            found.beside = true;
+            found.common = right_without_others;
+            before = std::move(found);
+            one.beside = true;
         }
-        if (!worse) continue;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            CheckResult& before = result.checks[places[i]];
-            if (judged[i].score >= before.score) continue;
-            const Millipoints kept = before.score * kept_of_ten / 10;
-            before = std::move(judged[i]);
-            before.score = std::max(before.score, kept);
-            before.beside = true;
-            before.common = right_without_others;
-        }
-        one.student = std::move(beside.student);
+        if (!one.beside) one.student = std::move(run);
     }
 }
 

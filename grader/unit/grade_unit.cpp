@@ -131,7 +131,7 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
     worker.spare_time().allow(exercise.limits.wall_seconds);
     for (const std::string& name : shuffled_cases(exercise, options.seeds))
         cases.emplace(
-            name, may_run_another(cases)
+            name, may_run_another(cases, exercise.limits)
                       ? run_case(worker, exercise, built, name, options.seeds.seed_of(exercise, name), options.explain)
                       : not_reached(options.seeds.seed_of(exercise, name), is_hidden_case(exercise, name)));
     UnitResult result = without_points(exercise, Verdict::wrong, "");

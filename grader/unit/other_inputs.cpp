@@ -87,7 +87,7 @@ void ask_once(Worker& worker, const Exercise& exercise, const Built& built, cons
         const CheckResult& before = result.checks[one.check];
         const std::uint64_t seed = options.seeds.other_seed_of(exercise, check.case_name, round);
         if (!again.contains(check.case_name))
-            again.emplace(check.case_name, may_run_another(again)
+            again.emplace(check.case_name, may_run_another(again, exercise.limits)
                                                ? run_case(worker, exercise, built, check.case_name, seed, false)
                                                : not_reached(seed, false));
         const CaseResult& first = cases.at(check.case_name);

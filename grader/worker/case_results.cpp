@@ -13,6 +13,7 @@
 #include "model/caps.hpp"
 #include "worker/past_crashes.hpp"
 #include "worker/related.hpp"
+#include "worker/spare_time.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -82,10 +83,15 @@ bool ran_into_the_limit(const CaseResult& one) { return one.reached && one.stude
 
 }
 
-bool may_run_another(const CaseResults& cases)
+bool may_run_another(const CaseResults& cases, const Limits& limits)
 {
-    return std::count_if(cases.begin(), cases.end(),
-                         [](const auto& entry) { return ran_into_the_limit(entry.second); }) < caps::timeouts;
+    std::ptrdiff_t timeouts = 0;
+    double seconds = 0;
+    for (const auto& [name, one] : cases) {
+        if (ran_into_the_limit(one)) ++timeouts;
+        if (one.reached) seconds += SpareTime::cost_of(one.student);
+    }
+    return timeouts < caps::timeouts && seconds < caps::unit_limits * limits.wall_seconds;
 }
 
 CaseResult not_reached(std::uint64_t seed, bool hidden)
@@ -102,9 +108,10 @@ std::string CaseResult::cause() const
 {
     if (!reached)
         return fmt::format(
-            "not reached: {} cases ran into the time limit, so this one was not run; it earns nothing until that loop "
-            "ends",
-            caps::timeouts);
+            "not reached: {} cases ran into the time limit, or all before this one took {:g} times as long together, "
+            "so "
+            "this one was not run; it earns nothing until they are quicker",
+            caps::timeouts, caps::unit_limits);
     if (is_stub()) return std::string(in_words(Verdict::not_implemented));
     if (student.verdict == Verdict::ok) return "";
     std::string text = fmt::format("{}: {}", in_words(student.verdict), student.message);
@@ -146,6 +153,11 @@ CheckResult blank_result(const Check& check)
     result.about = check.about;
     result.max_score = check.points;
     return result;
+}
+
+bool leaves_picture(const RunOutcome& run)
+{
+    return std::ranges::any_of(run.recording.tensors, [](const auto& one) { return one.second.columns > 1; });
 }
 
 const Tensor* tensor_of(const RunOutcome& run, const std::string& name)

@@ -22,7 +22,8 @@ struct CaseResult {
     RunOutcome student;
     std::string place;  ///< where it crashed: "sphere.cpp:17"
     double reference_seconds = 0;
-    std::string asked{};               ///< the question in which the run ended, as code; empty if it is not known
+    std::string asked{};  ///< the question in which the run ended, as code; empty if it is not known
+    bool beside = false;  ///< `student` is the run beside itself, in which answers are wrong that are right without it
     std::optional<RunOutcome> past{};  ///< the same without the questions in which it crashed, or reached a stub
 
     [[nodiscard]] bool is_stub() const
@@ -38,9 +39,9 @@ struct CaseResult {
 };
 using CaseResults = std::map<std::string, CaseResult>;
 
-/// May another case of the unit be run? Not after caps::timeouts of them ran into the time limit: a submission in which
-/// everything hangs costs that many limits and no more.
-[[nodiscard]] bool may_run_another(const CaseResults& cases);
+/// May another case of the unit be run? Not after caps::timeouts of them ran into the time limit, nor after they took
+/// caps::unit_limits times one limit together: a submission in which everything hangs, or nearly, costs no more.
+[[nodiscard]] bool may_run_another(const CaseResults& cases, const Limits& limits);
 /// A case that was not run for that reason. It earns nothing.
 [[nodiscard]] CaseResult not_reached(std::uint64_t seed, bool hidden);
 
@@ -65,6 +66,9 @@ using CaseResults = std::map<std::string, CaseResult>;
 /// Puts what a judge found into a check's result, with the best control (the fraction right that it gets) earning
 /// nothing.
 void take_judgement(const Check& check, const Judgement& judgement, double control, CheckResult& result);
+
+/// Did a run leave a picture or a buffer, and not only rows and texts?
+[[nodiscard]] bool leaves_picture(const RunOutcome& run);
 
 /// What a run recorded for this check, or null. Fragments and events come row by row: none at all is an empty table.
 [[nodiscard]] const Tensor* observed(const Check& check, const RunOutcome& run);

@@ -76,6 +76,7 @@ bool can_be_passed(const RunOutcome& run)
 void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& built, const std::string& case_name,
                      CaseResult& one)
 {
+    if (!can_be_passed(one.student)) return;
     PassedOver passed_over;
     RunOutcome last = one.student;
     // The case that crashed and its repetitions take no longer than one run may, and the last of them, nor do all
@@ -99,7 +100,7 @@ void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& buil
         last = worker.run_past(allowed, built, case_name, one.seed, passed_over);
         seconds += last.wall_seconds;
     }
-    if (last.verdict == Verdict::ok && one.student.verdict != Verdict::ok) one.past = std::move(last);
+    if (last.verdict == Verdict::ok) one.past = std::move(last);
 }
 
 std::string question_of_end(Worker& worker, const Exercise& exercise, const std::string& case_name,

@@ -12,10 +12,14 @@ class SpareTime {
 public:
     void allow(double seconds) noexcept { left_ = seconds; }
     void spend(double seconds) noexcept { left_ -= seconds; }
-    /// A run that waits costs half of its time: the machine may have been busy with others.
+    /// What a run costs: its time, in which it may have slept, but for what a machine that is busy with others took.
+    [[nodiscard]] static double cost_of(const RunOutcome& run) noexcept
+    {
+        return std::max(run.cpu_seconds, run.wall_seconds - run.waited_seconds);
+    }
     [[nodiscard]] RunOutcome spent_on(RunOutcome run) noexcept
     {
-        spend(std::max(run.cpu_seconds, run.wall_seconds / 2));
+        spend(cost_of(run));
         return run;
     }
     [[nodiscard]] bool is_left() const noexcept { return left_ > 0; }

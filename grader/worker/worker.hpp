@@ -68,8 +68,8 @@ public:
     [[nodiscard]] RunOutcome run_past(const Exercise& exercise, const Built& built, const std::string& case_name,
                                       std::uint64_t seed, const PassedOver& passed_over);
 
-    /// The same, while the case with the inputs of `beside` runs in turns with it in the same process, so that none of
-    /// its questions is the one after its last.
+    /// The same, while the case with the inputs of `beside` runs in turns with it in the same process, so that before
+    /// each of its questions another one is asked.
     [[nodiscard]] RunOutcome run_beside(const Exercise& exercise, const Built& built, const std::string& case_name,
                                         std::uint64_t seed, std::uint64_t beside)
     {

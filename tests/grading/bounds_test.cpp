@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <set>
 
 #include "model/caps.hpp"
 #include "planted.hpp"
@@ -41,6 +43,26 @@ TEST_F(Bounds, two_cases_run_into_the_time_limit_and_the_rest_is_not_reached)
               static_cast<std::ptrdiff_t>(cases.size()) - caps::timeouts);
     const UnitResult again = grade(files);
     for (std::size_t i = 0; i < result.checks.size(); ++i) EXPECT_EQ(again.checks[i].message, result.checks[i].message);
+}
+
+TEST_F(Bounds, cases_that_are_all_slow_take_a_few_limits_together_and_the_rest_is_not_reached)
+{
+    exercise.limits.wall_seconds = 1;
+    // Each case computes for a bit less than its limit, once.
+    const Sources files{{"sphere.cpp", sphere_with("#include <ctime>\n",
+                                                   "    static const bool slow = [] {\n"
+                                                   "        while (std::clock() < 0.7 * CLOCKS_PER_SEC) {}\n"
+                                                   "        return true;\n"
+                                                   "    }();\n    (void)slow;\n")}};
+    const auto begin = std::chrono::steady_clock::now();
+    const UnitResult result = grade(files);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    std::set<std::string> reached;
+    for (std::size_t i = 0; i < exercise.checks.size(); ++i)
+        if (!result.checks[i].message.starts_with("not reached")) reached.insert(exercise.checks[i].case_name);
+    EXPECT_GE(reached.size(), 3U);
+    EXPECT_LE(reached.size(), 5U);
+    EXPECT_LT(taken.count(), 60);
 }
 
 TEST_F(Bounds, one_case_that_hangs_costs_itself_only)
@@ -96,9 +118,13 @@ TEST_F(Bounds, code_that_takes_its_time_is_not_run_for_every_question)
     run.wall_seconds = 0.7;
     EXPECT_EQ(time.spent_on(run).cpu_seconds, 0.6);
     EXPECT_TRUE(time.is_left());
-    // One that waits costs half of its time.
+    // What a busy machine takes costs nothing; who sleeps pays for all of it.
     run.cpu_seconds = 0;
     run.wall_seconds = 1;
+    run.waited_seconds = 0.9;
+    (void)time.spent_on(run);
+    EXPECT_TRUE(time.is_left());
+    run.waited_seconds = 0.5;
     (void)time.spent_on(run);
     EXPECT_FALSE(time.is_left());
     // Wrong answers that come at once are looked into, and leave time.

@@ -114,6 +114,13 @@ inline constexpr bool is_list_to_fill = std::is_lvalue_reference_v<Kept>&& Growi
 
 inline constexpr const char* filled_list = "filled";  ///< what such a list is called in code
 
+/// An argument as code: in full if that is asked for.
+template <class Value>
+std::string argument_text(const Questions& questions, const Value& value)
+{
+    return literal::of_value(value, true, questions.inquiry().in_full ? literal::in_full : literal::Style{});
+}
+
 /// "intersect(Ray{…}, Sphere{…})"; a list to fill by its name if there `is_made` one before.
 template <class... Kept>
 std::string call_text(const Questions& questions, std::string_view function, const std::tuple<Kept...>& arguments,
@@ -129,8 +136,7 @@ std::string call_text(const Questions& questions, std::string_view function, con
         else if (is_made && is_to_fill)
             text += filled_list;
         else
-            text +=
-                literal::of_value(argument, true, questions.inquiry().in_full ? literal::in_full : literal::Style{});
+            text += argument_text(questions, argument);
     };
     [&]<std::size_t... Index>(std::index_sequence<Index...>)
     {
@@ -149,8 +155,7 @@ std::string code_of_call(const Questions& questions, std::string_view function, 
     if constexpr (!(is_list_to_fill<Kept> || ...)) return call;
     std::string made;
     const auto make = [&]<class List>(const List& list) {
-        const auto style = questions.inquiry().in_full ? literal::in_full : literal::Style{};
-        made = "auto " + std::string(filled_list) + " = " + literal::of_value(list, true, style) + ";";
+        made = "auto " + std::string(filled_list) + " = " + argument_text(questions, list) + ";";
     };
     [&]<std::size_t... Index>(std::index_sequence<Index...>)
     {
