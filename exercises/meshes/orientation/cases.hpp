@@ -144,6 +144,24 @@ inline IndexedMesh far_body(const IndexedMesh& body, double distance, int step, 
     return random.below(2) == 0 ? turned_over(mesh) : mesh;
 }
 
+/// A slanted body that is a thousand times as wide as it is thick, about 10^7 units away along two axes: its volume
+/// cancels even in double, unless it is seen from near by.
+inline IndexedMesh thin_far_body(const IndexedMesh& body, Random& random)
+{
+    const auto far = [&] {
+        return (random.below(2) == 0 ? 1.0F : -1.0F) * std::floor(random.uniform(0x1p23F, 0x1p24F));
+    };
+    const float away = far();
+    const float aside = far();
+    const int axis = static_cast<int>(random.below(3));
+    const IndexedMesh mesh = mapped(body, [&](const glm::vec3& position) {
+        const float across = std::round(8 * position.x);
+        const glm::vec3 place(away + across, across + 0x1p-13F * position.y, aside + std::round(8 * position.z));
+        return glm::vec3(place[axis], place[(axis + 1) % 3], place[(axis + 2) % 3]);
+    });
+    return random.below(2) == 0 ? turned_over(mesh) : mesh;
+}
+
 /// Four bodies of 10 units across in one mesh, two of them near the origin and two 10^7 units away on different sides:
 /// no point is near all of them. Seen from the corner of one of the others, volumes cancel even in double.
 inline IndexedMesh bodies_far_apart(Random& random)

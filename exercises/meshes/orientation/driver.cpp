@@ -109,6 +109,9 @@ void record_far(Random& random, Recorder& out)
         for (const IndexedMesh& body : {ball(8, 5), torus(7, 5), plate_with_holes(1), tetrahedron()})
             for (int i = 0; i < 2; ++i) record_outward(out, shuffled(scaled_body(body, exponent, random), random));
     for (int i = 0; i < 24; ++i) record_outward(out, bodies_far_apart(random));
+    for (int i = 0; i < 8; ++i)
+        for (const IndexedMesh& body : {ball(8, 5), torus(7, 5), plate_with_holes(1), tetrahedron()})
+            record_outward(out, shuffled(thin_far_body(body, random), random));
 }
 
 Amount amount_of(std::vector<glm::uvec3> triangles)
