@@ -11,7 +11,7 @@ namespace umbral {
 template <class Call>
 void record_refusal(Recorder& out, std::string_view name, Call call)
 {
-    out.columns(name, "0 answer / 1 refusal / 2 other exception");
+    out.columns(name, "what came of it (0: an answer; 1: std::invalid_argument; 2: another exception)");
     float came_of_it = 0;
     try {
         (void)call();

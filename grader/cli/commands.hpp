@@ -29,6 +29,7 @@ struct ListedCommand {
     const char* name;
     const char* summary;
     void (*add)(Command command, Application& application) = nullptr;  ///< null: the program umbral-authors has it
+    bool needs_sources = false;                                        ///< no installation can run it
 };
 
 /// All commands, in the order of --help.
@@ -36,12 +37,14 @@ inline constexpr std::array all_commands{
     ListedCommand{"list", "Shows all units in an order that a student can follow", add_list},
     ListedCommand{"new", "Makes a workspace: stubs, statements and goal pictures. Never overwrites your code", add_new},
     ListedCommand{"new-unit",
-                  "For authors: writes all files of a new unit, which validates at once. Overwrites nothing"},
+                  "For authors: writes all files of a new unit, which validates at once. Overwrites nothing", nullptr,
+                  true},
     ListedCommand{"check", "Checks your units against the reference, here and offline", add_check},
     ListedCommand{"hint", "Shows a hint for a unit, each a step more than the one before", add_hint},
     ListedCommand{"reset", "Puts a unit's stub back; your file is kept beside it", add_reset},
     ListedCommand{"ask", "Asks your file, the reference and the oracle one question that a report shows", add_ask},
-    ListedCommand{"locate", "Looks for the line of your file where a small change would make wrong checks right"},
+    ListedCommand{"locate", "Looks for the line of your file where a small change would make wrong checks right",
+                  nullptr, true},
     ListedCommand{"debug", "Runs one case under gdb: an ordinary program, without sandbox and limits", add_debug},
     ListedCommand{"render", "Draws a scene with the reference engine: umbral render SCENE.json --out PNG", add_render},
     ListedCommand{"compare", "Compares two PNG files as a check of a picture would", add_compare},

@@ -1,5 +1,7 @@
 #include "cli/run_program.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -52,21 +54,27 @@ bool is_named(const std::filesystem::path& path, std::span<char* const> words)
     });
 }
 
-/// Has another program the command that the words name? Options may stand before it.
-bool is_handed_over(std::span<char* const> words, std::span<const ListedCommand> commands)
+/// The command that the words name, if another program has it. Options may stand before it.
+const ListedCommand* command_elsewhere(std::span<char* const> words, std::span<const ListedCommand> commands)
 {
     const auto command = std::ranges::find_if(words, [](std::string_view word) { return !word.starts_with('-'); });
-    if (command == words.end()) return false;
+    if (command == words.end()) return nullptr;
     const auto listed = std::ranges::find(commands, std::string_view(*command), &ListedCommand::name);
-    return listed != commands.end() && listed->add == nullptr;
+    return listed == commands.end() || listed->add != nullptr ? nullptr : &*listed;
 }
 
 int run(std::span<char* const> words, std::span<const ListedCommand> commands)
 {
     const std::span<char* const> given = words.subspan(std::min<std::size_t>(words.size(), 1));
     // Before all else: the other program reads the units itself, and is as strict with the words.
-    if (is_handed_over(given, commands))
-        hand_over_to_authors(make_application_without_units(), {given.begin(), given.end()});
+    if (const ListedCommand* const command = command_elsewhere(given, commands)) {
+        const Application where = make_application_without_units();
+        if (command->needs_sources && where.layout.installed)
+            throw UsageError(fmt::format(
+                "umbral {} needs Umbral's sources, which packages do not hold: call ./umbral {} in a checkout",
+                command->name, command->name));
+        hand_over_to_authors(where, {given.begin(), given.end()});
+    }
     Application application = make_application();
     CommandLine line("umbral",
                      "Umbral: exercises in computer graphics, checked against a reference that runs beside your code.",

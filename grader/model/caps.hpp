@@ -33,7 +33,7 @@ inline constexpr std::size_t rows_factor = 4;  ///< rows of a table that are jud
 inline constexpr std::size_t rows_more = 1024;  ///< … and so many more, so that "too many" can still be shown
 inline constexpr std::size_t trace_bytes = std::size_t{8}
                                            << 20U;  ///< the same for a trace of OpenGL calls, which is text
-inline constexpr int timeouts = 2;  ///< cases of a unit that may run into the time limit; the rest is not reached
+inline constexpr int timeouts = 2;        ///< cases of a unit that may run into the time limit; the rest is not reached
 inline constexpr double unit_limits = 3;  ///< so many times what one case may take all of a unit may, once over
 
 // What is read of a submission before units are chosen from it.

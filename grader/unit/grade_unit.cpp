@@ -99,11 +99,12 @@ std::string printed_text(const Exercise& exercise, const CaseResults& cases)
     return printable(text, caps::printed);
 }
 
-/// Was this run stopped by the clock while it hardly computed? It may have waited, or the machine may have been busy
-/// with others.
+/// Was this run stopped by the clock while it hardly computed, or slept for long? It may have waited, or the machine
+/// may have been busy with others, or with its disk.
 bool was_starved(const RunOutcome& run, const Limits& limits)
 {
-    return run.verdict == Verdict::timeout && run.cpu_seconds < 0.5 * limits.wall_seconds;
+    const double half = 0.5 * limits.wall_seconds;
+    return (run.verdict == Verdict::timeout && run.cpu_seconds < half) || slept(run) > half;
 }
 
 /// Looks for what is said beside the grade. The grade stands, whatever goes wrong with that.

@@ -79,7 +79,11 @@ Unjudged unjudged_in(const CaseResult& one)
     return one.student.verdict == Verdict::ok ? Unjudged::no : Unjudged::stopped;
 }
 
-bool ran_into_the_limit(const CaseResult& one) { return one.reached && one.student.verdict == Verdict::timeout; }
+/// Or was it as good as that, since it slept for half of its limit? No work of these units waits for anything.
+bool ran_into_the_limit(const CaseResult& one, const Limits& limits)
+{
+    return one.reached && (one.student.verdict == Verdict::timeout || slept(one.student) > limits.wall_seconds / 2);
+}
 
 }
 
@@ -88,7 +92,7 @@ bool may_run_another(const CaseResults& cases, const Limits& limits)
     std::ptrdiff_t timeouts = 0;
     double seconds = 0;
     for (const auto& [name, one] : cases) {
-        if (ran_into_the_limit(one)) ++timeouts;
+        if (ran_into_the_limit(one, limits)) ++timeouts;
         if (one.reached) seconds += SpareTime::cost_of(one.student);
     }
     return timeouts < caps::timeouts && seconds < caps::unit_limits * limits.wall_seconds;

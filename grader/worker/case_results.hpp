@@ -39,8 +39,15 @@ struct CaseResult {
 };
 using CaseResults = std::map<std::string, CaseResult>;
 
-/// May another case of the unit be run? Not after caps::timeouts of them ran into the time limit, nor after they took
-/// caps::unit_limits times one limit together: a submission in which everything hangs, or nearly, costs no more.
+/// For how many seconds did a run neither compute nor wait for a processor?
+[[nodiscard]] inline double slept(const RunOutcome& run)
+{
+    return run.wall_seconds - run.waited_seconds - run.cpu_seconds;
+}
+
+/// May another case of the unit be run? Not after caps::timeouts of them ran into the time limit, or slept for half of
+/// it, nor after all took caps::unit_limits times one limit together: a submission in which everything hangs, or
+/// nearly, costs no more.
 [[nodiscard]] bool may_run_another(const CaseResults& cases, const Limits& limits);
 /// A case that was not run for that reason. It earns nothing.
 [[nodiscard]] CaseResult not_reached(std::uint64_t seed, bool hidden);

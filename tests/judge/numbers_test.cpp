@@ -226,6 +226,28 @@ TEST(Numbers, what_cannot_be_judged_is_a_grader_fault)
     EXPECT_THROW((void)judge(check_of(JudgeKind{"guesses"}), floats({1}), floats({1}), nullptr), std::invalid_argument);
 }
 
+TEST(Numbers, codes_are_told_with_the_words_of_their_column)
+{
+    const Tensor names = text("what came of it (0: an answer; 1: std::invalid_argument; 2: another exception)");
+    const auto difference = [&](float yours, float expected) {
+        return *judge(check_of(JudgeKind{"numbers"}, ulps(0)), floats({yours}), floats({expected}), nullptr, &names)
+                    .first_difference;
+    };
+    EXPECT_EQ(difference(2, 1).where, "row 0, what came of it");
+    EXPECT_EQ(difference(2, 1).yours, "2 (another exception)");
+    EXPECT_EQ(difference(2, 1).expected, "1 (std::invalid_argument)");
+    EXPECT_EQ(difference(0.5F, 0).yours, "0.5");
+    EXPECT_EQ(difference(3, 0).yours, "3");
+    EXPECT_EQ(difference(3, 0).expected, "0 (an answer)");
+    EXPECT_EQ(difference(std::numeric_limits<float>::quiet_NaN(), 0).yours, "nan");
+    // Names that only look like it stay as they are.
+    const Tensor plain = text("texels (0: none), rest");
+    const auto pair =
+        judge(check_of(JudgeKind{"numbers"}, ulps(0)), floats({1, 2}, 2), floats({0, 2}, 2), nullptr, &plain);
+    EXPECT_EQ(pair.first_difference->where, "row 0, texels");
+    EXPECT_EQ(pair.first_difference->yours, "(1, 2)");
+}
+
 TEST(Numbers, the_message_names_the_worst_row)
 {
     const Judgement found = numbers(floats({1, 2.5F, 3.25F, 4}), floats({1, 2, 4, 4}), absolute(0.1));

@@ -81,6 +81,17 @@ TEST_F(StudentsPackage, says_what_else_to_install)
     }
 }
 
+// Not by a package, then, which says the same again.
+TEST_F(StudentsPackage, says_what_needs_the_sources)
+{
+    for (const char* const command : {"new-unit raytracing/torus", "locate sphere"}) {
+        const Printed refused = run(umbral_ + command);
+        EXPECT_EQ(refused.status, 2) << command << refused.text;
+        EXPECT_NE(refused.text.find("in a checkout"), std::string::npos) << command << refused.text;
+        EXPECT_EQ(refused.text.find("umbral-instructor"), std::string::npos) << command << refused.text;
+    }
+}
+
 // What is built from the tests, or from sources that no package holds, is measured in the checkout.
 TEST(InstructorsPackage, says_what_is_measured_in_the_checkout_only)
 {

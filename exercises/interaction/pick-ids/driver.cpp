@@ -1,3 +1,4 @@
+#include <kit/refusal.hpp>
 #include <umbral/gl/record_trace.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -46,20 +47,12 @@ void record_colors(Recorder& out, Random& random)
         record_id(color);
     for (int i = 0; i < 100; ++i) record_id(glm::u8vec3(128.0F + 127.9F * random.in_cube()));
 
-    out.columns("refused", "0 answer / 1 refusal / 2 other exception");
     for (int i = 0; i < 24; ++i) {
         const std::uint32_t too_large = i == 1 ? ~0U : (1U << 24U) + (i == 0 ? 0 : random.bits() >> 1U);
         const bool first = random.below(2) == 0;
         for (const bool fits : {first, !first}) {
-            float came_of_it = 0;
-            try {
-                (void)ask<color_of_id>(out, fits ? too_large % (1U << 24U) : too_large);
-            } catch (const std::invalid_argument&) {
-                came_of_it = 1;
-            } catch (...) {
-                came_of_it = 2;
-            }
-            out.append("refused", came_of_it);
+            record_refusal(out, "refused",
+                           [&] { return ask<color_of_id>(out, fits ? too_large % (1U << 24U) : too_large); });
         }
     }
 }

@@ -1,7 +1,7 @@
 #include <kit/canonical.hpp>
 #include <kit/magnitude.hpp>
+#include <kit/refusal.hpp>
 #include <kit/varied.hpp>
-#include <stdexcept>
 #include <umbral/meshes/revolution.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
@@ -110,20 +110,10 @@ void record_many(Random& random, Recorder& out)
     }
 }
 
-/// 1 where a surface came back, 2 where the attempt was refused, 3 where something else was thrown.
 void record_attempts(Case& what, Recorder& out)
 {
-    for (const Attempt& attempt : varied(what.random, what.vary, attempts())) {
-        float outcome = 1;
-        try {
-            (void)ask<revolve>(out, attempt.profile, attempt.copies);
-        } catch (const std::invalid_argument&) {
-            outcome = 2;
-        } catch (const std::exception&) {
-            outcome = 3;
-        }
-        out.append("outcomes", outcome);
-    }
+    for (const Attempt& attempt : varied(what.random, what.vary, attempts()))
+        record_refusal(out, "outcomes", [&] { return ask<revolve>(out, attempt.profile, attempt.copies); });
 }
 
 }

@@ -77,7 +77,7 @@ inline void record_material(Recorder& out, const char* name, const Material& mat
                   : material.texture == label ? 1.0F
                   : material.texture == wood  ? 2.0F
                                               : 3.0F);
-    out.columns(name, "M_A/4, M_D/4, M_S/4, e, texture (0 none; 1 label; 2 wood)");
+    out.columns(name, "M_A/4, M_D/4, M_S/4, e, texture (0: none; 1: label; 2: wood)");
     out.append(name, std::span<const float>(row));
 }
 

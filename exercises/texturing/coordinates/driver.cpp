@@ -1,5 +1,5 @@
+#include <kit/refusal.hpp>
 #include <limits>
-#include <stdexcept>
 #include <umbral/record/driver.hpp>
 
 #include "scene.hpp"
@@ -91,19 +91,6 @@ void record_grid(Recorder& out, int columns, int rows)
         out.append("table", i < grid.size() ? grid[i] : glm::vec2(std::numeric_limits<float>::quiet_NaN()));
 }
 
-// 0 if there is an answer, 1 if the grid is refused as the interface says, 2 if in another way.
-float refused(Recorder& out, int columns, int rows)
-{
-    try {
-        (void)ask<parametric_coordinates>(out, columns, rows);
-    } catch (const std::invalid_argument&) {
-        return 1;
-    } catch (...) {
-        return 2;
-    }
-    return 0;
-}
-
 void grids(Random& random, Recorder& out)
 {
     for (const glm::ivec2 size : {glm::ivec2(4, 2), {1, 1}, {1, 3}, {5, 1}, {49, 3}, {3, 49}})
@@ -112,7 +99,9 @@ void grids(Random& random, Recorder& out)
     for (const glm::ivec2 size : {glm::ivec2(0, 3), {3, 0}, {0, 0}, {-2, 4}, {4, -1}, {-1, -1}}) {
         const bool good_first = random.below(2) == 0;
         for (const bool good : {good_first, !good_first})
-            out.append("refused", good ? refused(out, 3, 2) : refused(out, size.x, size.y));
+            record_refusal(out, "refused", [&] {
+                return good ? ask<parametric_coordinates>(out, 3, 2) : ask<parametric_coordinates>(out, size.x, size.y);
+            });
     }
 }
 

@@ -1,5 +1,5 @@
+#include <kit/refusal.hpp>
 #include <limits>
-#include <stdexcept>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 #include <utility>
@@ -174,27 +174,18 @@ void not_numbers(Random& random, Recorder& out)
     record(out, textures, queries);
 }
 
-// Textures without a texel, and with some: 0 if there is an answer, 1 if they are refused as the interface says, 2 if
-// in another way.
+// Textures without a texel, and with some.
 void without_texels(Random& random, Recorder& out)
 {
-    const auto refused = [&](const Grid<glm::vec4>& texture, const Sampler& sampler, glm::vec2 uv) {
-        try {
-            (void)ask<lookup>(out, texture, sampler, uv);
-        } catch (const std::invalid_argument&) {
-            return 1.0F;
-        } catch (...) {
-            return 2.0F;
-        }
-        return 0.0F;
-    };
     for (const glm::ivec2 size : {glm::ivec2(0, 0), {0, 5}, {5, 0}, {0, 1}, {1, 0}, {0, 0}}) {
         const Sampler sampler{both_filters[random.below(2)], random_wrap(random), random_wrap(random)};
         const bool empty_first = random.below(2) == 0;
         const float u = random.uniform();
         const glm::vec2 uv(u, random.uniform());
         for (const bool empty : {empty_first, !empty_first})
-            out.append("refused", refused({empty ? size.x : 5, empty ? size.y : 2}, sampler, uv));
+            record_refusal(out, "refused", [&] {
+                return ask<lookup>(out, Grid<glm::vec4>(empty ? size.x : 5, empty ? size.y : 2), sampler, uv);
+            });
     }
 }
 

@@ -1,6 +1,6 @@
 #include <array>
+#include <kit/refusal.hpp>
 #include <limits>
-#include <stdexcept>
 #include <umbral/record/driver.hpp>
 
 #include "scene.hpp"
@@ -100,27 +100,15 @@ void textures(Random& random, Recorder& out)
     }
 }
 
-// 0 if there is an answer, 1 if the texture is refused as the interface says, 2 if in another way.
-float refused(Recorder& out, const Grid<glm::vec4>& texture)
-{
-    try {
-        (void)ask<build_mipmap>(out, texture);
-    } catch (const std::invalid_argument&) {
-        return 1;
-    } catch (...) {
-        return 2;
-    }
-    return 0;
-}
-
 void record_refusals(Random& random, Recorder& out)
 {
     for (const glm::ivec2 size : {glm::ivec2(3, 3), {4, 2}, {1, 2}, {6, 6}, {0, 0}, {12, 12}, {8, 7}}) {
         const int good = 1 << random.below(4);
         const bool good_first = random.below(2) == 0;
         for (const bool is_good : {good_first, !good_first})
-            out.append("refused",
-                       refused(out, is_good ? Grid<glm::vec4>(good, good) : Grid<glm::vec4>(size.x, size.y)));
+            record_refusal(out, "refused", [&] {
+                return ask<build_mipmap>(out, is_good ? Grid<glm::vec4>(good, good) : Grid<glm::vec4>(size.x, size.y));
+            });
     }
 }
 

@@ -117,6 +117,12 @@ void record_orientation(Random& random, Recorder& out)
     }
 }
 
+void record_kind(Recorder& out, const Frame& frame)
+{
+    out.columns("kind", "kind (0: degenerate; 1: oblique; 2: orthogonal; 3: orthonormal; 4: cartesian)");
+    out.append("kind", static_cast<std::int32_t>(ask<classify_frame>(out, frame)));
+}
+
 // All five, of all sizes: a volume of 1e-14 is not 0, and squares of lengths may be no floats. Oblique ones of which
 // one pair of vectors leans, and orthogonal ones of which one vector is not unit, beside those of which all do and are.
 void record_kinds(Variation& vary, Random& random, Recorder& out)
@@ -141,7 +147,7 @@ void record_kinds(Variation& vary, Random& random, Recorder& out)
         if (sign < 0) frame.y = -frame.y;
         // As far off as a long chain of turns leaves a frame.
         if (kind > 2) frame.x *= 1.00001F;
-        out.append("kind", static_cast<std::int32_t>(ask<classify_frame>(out, frame)));
+        record_kind(out, frame);
     }
 }
 
@@ -165,7 +171,7 @@ void record_thresholds(Random& random, Recorder& out)
             if (i % 8 == 3) axis *= 8.0F;
             if (i % 8 == 5) next *= 8.0F;
             if (i % 8 == 7) next *= 0.125F;
-            out.append("kind", static_cast<std::int32_t>(ask<classify_frame>(out, other)));
+            record_kind(out, other);
         }
     }
 }

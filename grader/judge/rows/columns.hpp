@@ -24,4 +24,12 @@ struct ColumnGroup {
 [[nodiscard]] std::vector<std::string> column_names(std::string_view text, std::size_t components,
                                                     std::string_view value);
 
+/// What a column's name says that its values stand for: "kind" and "oblique" for 1 in "kind (0: degenerate; 1:
+/// oblique)". The name alone, and no word, of other names, and for other values.
+struct ColumnWord {
+    std::string name;
+    std::string word;
+};
+[[nodiscard]] ColumnWord column_word(std::string_view column, double value);
+
 }

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "judge/rows/columns.hpp"
+
 namespace umbral::grader {
 namespace {
 
@@ -72,6 +74,12 @@ std::vector<bool> counted_rows(const Check& check, const Tensor* margin, std::si
     return counted;
 }
 
+/// "2" becomes "2 (orthogonal)" where the column's name has a word for it.
+void add_word(const std::string& column, double value, std::string& text)
+{
+    if (const std::string word = column_word(column, value).word; !word.empty()) text += " (" + word + ")";
+}
+
 void add_quantiles(std::vector<double> errors, std::map<std::string, double>& metrics)
 {
     if (errors.empty()) return;
@@ -92,7 +100,7 @@ std::string wrong_columns(const RowPairs& pairs, std::size_t row)
     const auto& [check, student, expected, kind, columns] = pairs;
     const std::vector<std::size_t> wrong = wrong_components(check, student, expected, row, kind);
     if (wrong.empty() || columns.size() != expected.components()) return "";
-    const std::string& first = columns[wrong.front()];
+    const std::string first = column_word(columns[wrong.front()], 0).name;
     if (wrong.size() == 1) return first;
     if (first.empty() || expected.components() <= most_shown_whole) return "";
     return fmt::format("{} and {} other{} of it", first, wrong.size() - 1, wrong.size() == 2 ? "" : "s");
@@ -112,6 +120,10 @@ Difference row_difference(const RowPairs& pairs, std::size_t row)
                                  kind.show_number(expected.cell(row), first, digits))
                      : std::pair(kind.show(student, row, first, digits), kind.show(expected, row, first, digits));
     });
+    if (!wrong.empty() && columns.size() == components && (alone || components == 1)) {
+        add_word(columns[first], student.cell(row)[first], result.yours);
+        add_word(columns[first], expected.cell(row)[first], result.expected);
+    }
     return result;
 }
 
