@@ -46,6 +46,19 @@ TEST(Matrices, what_rounding_left_of_0_is_shown_as_0)
         "3e-10 in");
 }
 
+// The 1 of an affine matrix is no rounding, however far it moves things.
+TEST(Matrices, a_whole_number_beside_huge_ones_is_shown)
+{
+    std::vector<double> expected(16, 0);
+    expected[0] = expected[5] = expected[10] = expected[15] = 1;
+    expected[12] = 1e13;
+    std::vector<double> yours = expected;
+    yours[12] = 2e13;
+    const Judgement found =
+        judge(check_of(JudgeKind{"matrices"}, absolute(1)), doubles(yours, 16), doubles(expected, 16), nullptr);
+    EXPECT_EQ(found.first_difference->expected, "1e+13 in [1 0 0 1e+13; 0 1 0 0; 0 0 1 0; 0 0 0 1]");
+}
+
 TEST(Matrices, a_huge_translation_does_not_excuse_the_rotation)
 {
     std::vector<float> expected = identity();

@@ -241,10 +241,10 @@ TEST(Numbers, codes_are_told_with_the_words_of_their_column)
     EXPECT_EQ(difference(3, 0).expected, "0 (an answer)");
     EXPECT_EQ(difference(std::numeric_limits<float>::quiet_NaN(), 0).yours, "nan");
     // Names that only look like it stay as they are.
-    const Tensor plain = text("texels (0: none), rest");
+    const Tensor plain = text("texels (first row: levels), rest");
     const auto pair =
         judge(check_of(JudgeKind{"numbers"}, ulps(0)), floats({1, 2}, 2), floats({0, 2}, 2), nullptr, &plain);
-    EXPECT_EQ(pair.first_difference->where, "row 0, texels");
+    EXPECT_EQ(pair.first_difference->where, "row 0, texels (first row: levels)");
     EXPECT_EQ(pair.first_difference->yours, "(1, 2)");
 }
 

@@ -50,6 +50,7 @@ void record_matrices_by_hand(Variation& vary, Recorder& out)
 void record_parsed(Recorder& out, const Words& words, const std::vector<SelectionRecord>& crafted)
 {
     const auto parsed = ask<parse_selection>(out, words, static_cast<int>(crafted.size()));
+    out.columns("records", "number of records (-1: nothing)");
     out.append("records", parsed ? static_cast<float>(parsed->size()) : -1.0F);
     out.columns("depths", "min_depth, max_depth");
     for (std::size_t i = 0; i < crafted.size(); ++i) {
@@ -114,7 +115,7 @@ void record_damaged(Recorder& out, Random& random)
         const bool first = random.below(2) == 0;
         for (const bool whole : {first, !first}) {
             const auto parsed = ask<parse_selection>(out, whole ? words : damaged, whole ? count : damaged_count);
-            out.append("found", parsed ? 1.0F : 0.0F);
+            out.append("found", parsed.has_value());
         }
     }
 }

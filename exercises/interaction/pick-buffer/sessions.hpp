@@ -61,7 +61,7 @@ inline std::vector<NameCommand> random_commands(Random& random, int count)
 /// Carries out a command; what is refused or not is a row of "accepted".
 inline void carry_out(Recorder& out, SelectionBuffer& buffer, const NameCommand& command)
 {
-    const auto accepted = [&](bool answer) { out.append("accepted", answer ? 1.0F : 0.0F); };
+    const auto accepted = [&](bool answer) { out.append("accepted", answer); };
     switch (command.kind) {
         case NameCommand::Kind::init: ask<&SelectionBuffer::init_names>(out, buffer); break;
         case NameCommand::Kind::load: accepted(ask<&SelectionBuffer::load_name>(out, buffer, command.name)); break;

@@ -35,7 +35,7 @@ void record(Recorder& out, const LitSphere& q)
 
 void record_is_seen(Recorder& out, const Sphere& sphere, const glm::vec3& point, const glm::vec3& eye)
 {
-    out.append("is seen", ask<is_seen>(out, sphere, point, eye) ? 1 : 0);
+    out.append("is seen", ask<is_seen>(out, sphere, point, eye));
 }
 
 // Problem 3.9; the same with other sizes, equally far places, directions, and all on one line. Varied, each question is

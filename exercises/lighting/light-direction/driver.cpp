@@ -34,7 +34,7 @@ void record_in_frames(Recorder& out, const LightAngles& angles, const glm::mat4&
 
 void record_key(Recorder& out, LightControl& control, char key)
 {
-    out.append("turned", ask<&LightControl::press>(out, control, key) ? 1 : 0);
+    out.append("turned", ask<&LightControl::press>(out, control, key));
     out.columns("angles", "longitude, latitude");
     out.append("angles", pair_of(ask<&LightControl::angles>(out, control)));
 }

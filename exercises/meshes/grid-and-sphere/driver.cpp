@@ -144,8 +144,8 @@ void record_border(Random& random, Recorder& out)
         for (int i = 0; i < 40; ++i) {
             const auto [inside, outside] = border_voxels(random, k, i % 2 == 0);
             const bool swapped = random.below(2) == 0;
-            out.append("inside", ask<voxel_is_inside>(out, k, swapped ? outside : inside) ? 1.0F : 0.0F);
-            out.append("inside", ask<voxel_is_inside>(out, k, swapped ? inside : outside) ? 1.0F : 0.0F);
+            out.append("inside", ask<voxel_is_inside>(out, k, swapped ? outside : inside));
+            out.append("inside", ask<voxel_is_inside>(out, k, swapped ? inside : outside));
         }
 }
 

@@ -43,7 +43,7 @@ void record_faults(Recorder& out, const IndexedMesh& mesh)
 void record_coherent(Recorder& out, const IndexedMesh& mesh)
 {
     const auto triangles = ask<coherent_triangles>(out, mesh);
-    out.append("possible", triangles ? 1.0F : 0.0F);
+    out.append("possible", triangles.has_value());
     out.append("triangles", glm::vec3(triangles ? static_cast<float>(triangles->size()) : -1));
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const bool has_row = triangles && i < triangles->size();

@@ -41,7 +41,7 @@ void record_random(Random& random, Recorder& out)
 
 void record_side(Recorder& out, const std::vector<glm::vec2>& corners)
 {
-    out.append("front", ask<is_front_facing>(out, corners) ? 1.0F : 0.0F);
+    out.append("front", ask<is_front_facing>(out, corners));
 }
 
 // A face and the same one backwards, in either order.

@@ -136,7 +136,7 @@ void record_none(Random& random, Recorder& out)
         const bool first = random.below(2) == 1;
         for (const bool is_bad : {first, !first}) {
             const auto& [target, up, normal] = is_bad ? bad : good;
-            out.append("found", ask<view_frame>(out, {target, scale * up, scale * normal}) ? 1.0F : 0.0F);
+            out.append("found", ask<view_frame>(out, {target, scale * up, scale * normal}).has_value());
         }
     }
 }

@@ -58,7 +58,7 @@ void record_boxes(Recorder& out, Random& random)
 
 void record(Recorder& out, const std::vector<BoxShot>& shots)
 {
-    for (const auto& [ray, box] : shots) out.append("meets", ask<meets_box>(out, ray, box) ? 1.0F : 0.0F);
+    for (const auto& [ray, box] : shots) out.append("meets", ask<meets_box>(out, ray, box));
 }
 
 std::vector<BoxShot> random_boxes(Random& random)

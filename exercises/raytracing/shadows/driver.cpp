@@ -11,8 +11,7 @@ using namespace raytracing;
 
 void record(Recorder& out, const std::vector<LightQuestion>& questions, std::string_view name = "lit")
 {
-    for (const auto& [point, light, casters] : questions)
-        out.append(name, ask<sees_light>(out, point, light, casters) ? 1.0F : 0.0F);
+    for (const auto& [point, light, casters] : questions) out.append(name, ask<sees_light>(out, point, light, casters));
 }
 
 // Answers that need no computing; behind each point with light comes one without.

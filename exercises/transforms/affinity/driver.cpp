@@ -92,7 +92,7 @@ void record_planes(Random& random, Recorder& out)
             // What is thin lies where its thickness is not rounded away.
             const glm::vec3 shift = i % 8 == 2 ? glm::vec3(0) : glm::vec3(16, -7, 5);
             for (glm::vec3& point : points) point = unit * (thickness * point + shift);
-            out.append("found", ask<affine_from_points>(out, pairs_of(points, map)).has_value() ? 1 : 0);
+            out.append("found", ask<affine_from_points>(out, pairs_of(points, map)).has_value());
         }
     }
 }
@@ -124,7 +124,7 @@ void record_affinity(Random& random, Recorder& out)
                 bent[moved].image[k] += share * tolerance * extent / missed;
             }
             for (PointPair& pair : bent) pair.image *= size;
-            out.append("affine", ask<is_affine>(out, bent, tolerance) ? 1 : 0);
+            out.append("affine", ask<is_affine>(out, bent, tolerance));
         }
     }
 }
@@ -145,7 +145,7 @@ void record_without_extent(Random& random, Recorder& out)
         flat.resize(count);
         const bool flat_first = random.below(2) == 1;
         for (const bool is_flat : {flat_first, !flat_first})
-            out.append("affine", ask<is_affine>(out, is_flat ? flat : solid, 0.01F) ? 1 : 0);
+            out.append("affine", ask<is_affine>(out, is_flat ? flat : solid, 0.01F));
     }
 }
 
@@ -161,7 +161,7 @@ void record_wave(Random& random, Recorder& out)
                 const glm::dvec3 p(column, random.uniform_double(), k / 3 + random.uniform_double());
                 pairs.push_back({glm::vec3(p), glm::vec3(course_wave(glm::dvec3(glm::vec3(p))))});
             }
-            out.append("affine", ask<is_affine>(out, pairs, 0.01F) ? 1 : 0);
+            out.append("affine", ask<is_affine>(out, pairs, 0.01F));
         }
     }
 }
@@ -223,7 +223,7 @@ void record_far_affinity(Random& random, Recorder& out)
             for (const bool is_bent : {bent_first, !bent_first}) {
                 Pairs bent = pairs;
                 bent[moved].image[axis] += (is_bent ? 2.0F : 0.5F) * tolerance * extent_of(pairs) / missed;
-                out.append("affine", ask<is_affine>(out, bent, tolerance) ? 1 : 0);
+                out.append("affine", ask<is_affine>(out, bent, tolerance));
             }
         }
     }

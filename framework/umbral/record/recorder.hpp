@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <map>
@@ -46,6 +47,13 @@ public:
     void append(std::string_view name, glm::dvec2 value);
     void append(std::string_view name, const glm::mat3& value);
     void append(std::string_view name, const glm::mat4& value);
+    /// An answer to a question of yes and no: 1 or 0, which reports tell with the words true and false.
+    template <std::same_as<bool> Answer>
+    void append(std::string_view name, Answer value)
+    {
+        columns(name, std::string(name) + " (0: false; 1: true)");
+        append(name, std::int32_t{value});
+    }
     /// A row that may have no value; that is another observation than any number.
     void append(std::string_view name, std::optional<float> value);
     void append(std::string_view name, const std::optional<glm::mat4>& value);
@@ -54,8 +62,9 @@ public:
     void append(std::string_view name, std::span<const float> row);
 
     /// Says what the numbers in the rows of the table `name` are called, in their order, for reports: "red, width";
-    /// "colour/4" stands for four numbers of one name. As often as it is convenient: the first time counts. Without it
-    /// rows of two to four numbers are x, y, z, w, and others have no names.
+    /// "colour/4" stands for four numbers of one name, and "kind (0: none; 1: label)" gives values words. As often as
+    /// it is convenient: the first time counts. Without it rows of two to four numbers are x, y, z, w, and others have
+    /// no names.
     void columns(std::string_view name, std::string_view names);
 
     /// The next row of the table `name` stands for no answer: the unit refused what it was asked, and said `why`. What

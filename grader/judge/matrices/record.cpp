@@ -38,14 +38,15 @@ std::string entry_text(std::size_t matrix, std::size_t components, std::size_t i
     return "matrix " + std::to_string(matrix) + ", entry " + matrix_entry(components, index);
 }
 
-// What is next to nothing beside its column is what rounding left of 0 (a cosine of 90 degrees), unless more digits
-// must tell two values apart.
+// What is next to nothing beside its column is what rounding left of 0 (a cosine of 90 degrees), unless it is whole, or
+// more digits must tell two values apart.
 std::string entry_number(std::span<const double> matrix, std::size_t index, int digits)
 {
     constexpr double nothing = 1e-9;
-    const bool shows_nothing =
-        digits <= usual_digits && std::abs(matrix[index]) < nothing * largest_in_column(matrix, index);
-    return shows_nothing ? "0" : number_text(matrix[index], digits);
+    const double entry = matrix[index];
+    const bool shows_nothing = digits <= usual_digits && entry != std::trunc(entry) &&
+                               std::abs(entry) < nothing * largest_in_column(matrix, index);
+    return shows_nothing ? "0" : number_text(entry, digits);
 }
 
 // The entry, then the whole matrix by rows: "5 in [1 0 0 5; 0 1 0 0; 0 0 1 0; 0 0 0 1]".

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 namespace umbral::grader {
 namespace {
@@ -72,19 +73,21 @@ std::vector<std::string> column_names(std::string_view text, std::size_t compone
 
 ColumnWord column_word(std::string_view column, double value)
 {
-    const std::size_t open = column.find(" (0: ");
+    const std::size_t open = column.find(" (");
     if (open == std::string_view::npos || !column.ends_with(')')) return {std::string(column), ""};
-    ColumnWord result{std::string(column.substr(0, open)), ""};
+    std::string word;
     std::string_view words = column.substr(open + 2, column.size() - open - 3);
     while (!words.empty()) {
         const std::string_view entry = trimmed(words.substr(0, words.find(';')));
         words.remove_prefix(std::min(words.find(';'), words.size() - 1) + 1);
-        const std::size_t colon = entry.find(": ");
+        const std::size_t colon = std::min(entry.find(": "), entry.size());
         int code = 0;
-        const auto [end, error] = std::from_chars(entry.data(), entry.data() + entry.size(), code);
-        if (error == std::errc() && end == entry.data() + colon && value == code) result.word = entry.substr(colon + 2);
+        const auto [end, error] = std::from_chars(entry.data(), entry.data() + colon, code);
+        if (error != std::errc() || end != entry.data() + colon || colon == entry.size())
+            return {std::string(column), ""};
+        if (value == code) word = entry.substr(colon + 2);
     }
-    return result;
+    return {std::string(column.substr(0, open)), std::move(word)};
 }
 
 }

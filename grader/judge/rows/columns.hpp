@@ -25,7 +25,7 @@ struct ColumnGroup {
                                                     std::string_view value);
 
 /// What a column's name says that its values stand for: "kind" and "oblique" for 1 in "kind (0: degenerate; 1:
-/// oblique)". The name alone, and no word, of other names, and for other values.
+/// oblique)". No word for other values; names that hold anything else are given back as they are.
 struct ColumnWord {
     std::string name;
     std::string word;
