@@ -99,16 +99,71 @@ void record_flattened(Random& random, Recorder& out)
     }
 }
 
-// The determinant of these is no float, though each entry is. Normals may have any length.
+// The determinant of these is no float, though each entry is. Normals may have any length. Every tenth turns all round
+// in a point, and has no positive entry.
 void record_sizes(Random& random, Recorder& out)
 {
     for (const float size : {1e-42F, 1e-36F, 1e-25F, 1e-20F, 1e-14F, 1e13F, 1e20F, 1e30F, 1e36F}) {
         for (int i = 0; i < 20; ++i) {
-            const glm::mat4 model = random_model(i % 4 == 0, random);
+            glm::mat4 model = random_model(i % 4 == 0, random);
+            const glm::vec3 factors{random.uniform(0.3F, 3), random.uniform(0.3F, 3), random.uniform(0.3F, 3)};
+            if (i % 10 == 9) model = glm::scale(glm::mat4(1), -factors);
             const float length = i % 2 == 0 ? 1 : std::pow(10.0F, random.uniform(-42, 38));
             const glm::vec3 normal = length * random.unit_vector();
             record(model * glm::scale(glm::mat4(1), glm::vec3(size)), normal, out);
         }
+    }
+}
+
+float power_of_ten(float low, float high, Random& random) { return std::pow(10.0F, random.uniform(low, high)); }
+
+float sign(Random& random) { return random.below(2) == 0 ? 1.0F : -1.0F; }
+
+/// The same matrix after and before a turn that changes axes, which rounds nothing.
+glm::mat4 axes_changed(const glm::mat3& model, Random& random)
+{
+    glm::mat4 result(1);
+    const auto first = static_cast<int>(random.below(3));
+    const auto other = static_cast<int>(random.below(3));
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) result[column][row] = model[(column + first) % 3][(row + other) % 3];
+    return result;
+}
+
+/// Three columns so nearly in a plane that their volume is 1e-12.7 … 1e-12.1 of the product of their lengths; a mirror
+/// or not. Their zeros make it a product of three numbers, which nothing cancels.
+glm::mat4 thin(Random& random)
+{
+    const float low = power_of_ten(-8, -5, random);
+    glm::mat3 columns(1);
+    columns[1] = {random.uniform(0.5F, 1), low, 0};
+    columns[2] = {random.uniform(-1, 1), random.uniform(0.5F, 1), 0};
+    const float lengths = glm::length(columns[1]) * glm::length(columns[2]);
+    columns[2].z = sign(random) * power_of_ten(-12.7F, -12.1F, random) * lengths / low;
+    return axes_changed(columns, random);
+}
+
+/// Needles and plates: one or two axes pressed to 1e-13 … 1e-18 of the others, or turned round too.
+glm::mat4 pressed(bool needle, Random& random)
+{
+    glm::mat3 factors(sign(random));
+    factors[1].y = sign(random) * power_of_ten(-18, -13, random);
+    if (needle) factors[2].z = sign(random) * power_of_ten(-18, -13, random);
+    return axes_changed(factors, random);
+}
+
+// Volumes that are next to nothing beside the product of the columns' lengths, and normals of which next to nothing is
+// left. No number is so small that it counts as 0.
+void record_nearly_nothing(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 32; ++i) {
+        const glm::mat4 model = i % 2 == 0 ? thin(random) : pressed(i % 4 == 1, random);
+        glm::vec3 normal = random.unit_vector();
+        if (i % 2 == 1 && i % 8 != 1) {
+            normal = glm::vec3(0);
+            normal[i / 2 % 3] = sign(random);
+        }
+        out.append("normal", ask<transformed_normal>(out, model, normal));
     }
 }
 
@@ -130,6 +185,7 @@ void record_nearly_flat(Random& random, Recorder& out)
             record(model, i % 8 == 0 ? side : normal, out);
         }
     }
+    record_nearly_nothing(random, out);
 }
 
 }
