@@ -169,11 +169,28 @@ void record_outside(Random& random, Recorder& out)
     }
 }
 
+/// A viewport whose middle is a border between pixels, at any place in a window; and a place beside that border, so
+/// near that the place with the corner added to it is on the border, in double too.
+void record_beside_middle(int i, Random& random, Recorder& out)
+{
+    const int far = i % 12 == 5 ? (1 << 22) - 10'000 : 1000;
+    const int left = random_between(-far, far, random);
+    const Viewport viewport{left, 0, 2 * random_between(250, 4000, random), 1};
+    // Multiples of the last place of a double below 1: with 1 added nothing is rounded.
+    const float aside = std::ldexp(random.uniform(0.5F, 1), -36 - static_cast<int>(random.below(16)));
+    const float x = 0x1p-53F * std::round(aside / 0x1p-53F);
+    record_pixel(out, viewport, {random.below(4) == 0 ? 2 * x : -x, 0});
+}
+
 // The floats on both sides of a border between pixels, and the last one before 1. Half of the borders lie near the
-// middle, where floats are finest.
+// middle, where floats are finest; a sixth of them in the middle itself.
 void record_beside_borders(Random& random, Recorder& out)
 {
     for (int i = 0; i < 300; ++i) {
+        if (i % 6 == 5) {
+            record_beside_middle(i, random, out);
+            continue;
+        }
         const Viewport viewport{random_between(0, 1000, random), 0, random_between(500, 8000, random), 1};
         const int middle = viewport.width / 2;
         const int border =
@@ -181,9 +198,41 @@ void record_beside_borders(Random& random, Recorder& out)
         auto x = static_cast<float>((2.0 * border - viewport.width) / viewport.width);
         if (i % 3 == 0) x = std::nextafter(x, -2.0F);
         if (i % 3 == 1) x = std::nextafter(x, 2.0F);
-        if (i % 10 == 9) x = std::nextafter(1.0F, 0.0F);
+        if (i % 10 == 8) x = std::nextafter(1.0F, 0.0F);
         if (std::abs(x) < 1e-4F) x = 0.3F;
         record_pixel(out, viewport, {x, 0});
+    }
+}
+
+/// Nearly as large as floats are, of two signs or of one, so that their difference or their sum is none; or so small
+/// that their difference is 1e-12 … 1e-30.
+glm::vec2 extreme_depths(int kind, Random& random)
+{
+    constexpr float largest = std::numeric_limits<float>::max();
+    if (kind == 0) return largest * glm::vec2(-random.uniform(0.6F, 1), random.uniform(0.6F, 1));
+    if (kind == 1) return largest * glm::vec2(random.uniform(0.5F, 0.7F), random.uniform(0.8F, 1));
+    const float unit = std::ldexp(1.0F, -42 - static_cast<int>(random.below(60)));
+    return unit * glm::vec2(random.uniform(-1, 0.4F), random.uniform(0.6F, 1));
+}
+
+// A few pixels as far from the window's corner as the interface allows; and depths of any range, in either order.
+void record_extremes(Random& random, Recorder& out)
+{
+    constexpr int far = (1 << 22) - 1000;
+    for (int i = 0; i < 80; ++i) {
+        Viewport viewport = random_viewport(random);
+        viewport.width = random_between(5, 900, random);
+        viewport.height = random_between(5, 900, random);
+        if (i % 2 == 0) viewport.left = (i % 4 == 0 ? -1 : 1) * random_between(far / 2, far, random);
+        if (i % 4 < 2) viewport.bottom = random_between(-far, far, random);
+        const glm::vec2 depths = extreme_depths(i % 3, random);
+        const auto first = static_cast<int>(random.below(2));
+        if (i % 4 > 0) viewport.near_depth = depths[first], viewport.far_depth = depths[1 - first];
+        out.append("matrix", ask<viewport_matrix>(out, viewport));
+        const glm::dvec3 low(viewport.left, viewport.bottom, viewport.near_depth);
+        const glm::dvec3 high = low + glm::dvec3(viewport.width, viewport.height, viewport.far_depth - low.z);
+        const glm::dvec3 share(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+        out.append("back", ask<ndc_from_window>(out, viewport, glm::vec3(glm::mix(low, high, share))));
     }
 }
 
@@ -195,6 +244,7 @@ const Driver driver = {
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"outside", [](Case& c, Recorder& out) { record_outside(c.random, out); }},
     {"beside borders", [](Case& c, Recorder& out) { record_beside_borders(c.random, out); }},
+    {"extremes", [](Case& c, Recorder& out) { record_extremes(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_flowers(out, c.vary)); }},
 };
 

@@ -35,13 +35,11 @@ glm::vec3 ndc_from_window(const Viewport& viewport, const glm::vec3& window)
 
 std::optional<glm::ivec2> pixel_at(const Viewport& viewport, const glm::vec2& ndc)
 {
-    const glm::dvec2 place(wide_matrix(viewport) * glm::dvec4(ndc, 0.0, 1.0));
-    const glm::ivec2 corner(viewport.left, viewport.bottom);
-    const glm::dvec2 from = glm::dvec2(corner);
-    const glm::dvec2 to = from + glm::dvec2(viewport.width, viewport.height);
-    const bool inside = place.x >= from.x && place.y >= from.y && place.x < to.x && place.y < to.y;
+    // Counted from the viewport's corner: with a far one added a double loses the last digits.
+    const glm::dvec2 place(wide_matrix({0, 0, viewport.width, viewport.height}) * glm::dvec4(ndc, 0.0, 1.0));
+    const bool inside = place.x >= 0 && place.y >= 0 && place.x < viewport.width && place.y < viewport.height;
     if (!inside) return {};
-    return corner + glm::ivec2(place - from);
+    return glm::ivec2(viewport.left, viewport.bottom) + glm::ivec2(place);
 }
 
 glm::vec2 pixel_centre(const Viewport& viewport, const glm::ivec2& pixel)

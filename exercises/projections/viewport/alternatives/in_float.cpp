@@ -1,4 +1,4 @@
-// alternative: float, but for the search of pixels
+// alternative: float, but for the search of pixels and for depths, which may be as large as floats are
 #include <umbral/projections/viewport.hpp>
 
 namespace umbral::projections {
@@ -7,7 +7,7 @@ glm::mat4 viewport_matrix(const Viewport& v)
 {
     const float w = static_cast<float>(v.width) / 2;
     const float h = static_cast<float>(v.height) / 2;
-    const float d = (v.far_depth - v.near_depth) / 2;
+    const float d = v.far_depth / 2 - v.near_depth / 2;
     return {w,
             0,
             0,
@@ -22,7 +22,7 @@ glm::mat4 viewport_matrix(const Viewport& v)
             0,
             static_cast<float>(v.left) + w,
             static_cast<float>(v.bottom) + h,
-            v.near_depth + d,
+            v.near_depth / 2 + v.far_depth / 2,
             1};
 }
 
@@ -30,7 +30,7 @@ glm::vec3 ndc_from_window(const Viewport& v, const glm::vec3& window)
 {
     return {2 * (window.x - static_cast<float>(v.left)) / static_cast<float>(v.width) - 1,
             2 * (window.y - static_cast<float>(v.bottom)) / static_cast<float>(v.height) - 1,
-            2 * (window.z - v.near_depth) / (v.far_depth - v.near_depth) - 1};
+            static_cast<float>(2 * (double{window.z} - v.near_depth) / (double{v.far_depth} - v.near_depth) - 1)};
 }
 
 std::optional<glm::ivec2> pixel_at(const Viewport& v, const glm::vec2& ndc)
