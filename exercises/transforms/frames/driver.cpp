@@ -4,51 +4,13 @@
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
-#include "../support.hpp"
+#include "any_frames.hpp"
 #include "whirl.hpp"
 
 namespace umbral {
 namespace {
 
 using namespace transforms;
-
-Frame cartesian(const glm::vec3& origin, Random& random)
-{
-    const AxisAngle turn = random_turn(random);
-    const glm::mat4 m = glm::rotate(glm::mat4(1), turn.angle, turn.axis);
-    return {glm::vec3(m[0]), glm::vec3(m[1]), glm::vec3(m[2]), origin};
-}
-
-/// Any lengths from 0.5 to 2, angles far from 0, either hand: a Cartesian frame whose vectors are scaled and lean by
-/// less than half of it.
-Frame oblique(const glm::vec3& origin, Random& random)
-{
-    Frame frame = cartesian(origin, random);
-    for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z}) {
-        const glm::vec3 lean = 0.25F * random.in_cube();
-        *axis = random.uniform(0.5F, 2) * (*axis + lean);
-    }
-    if (random.below(2) == 1) frame.z = -frame.z;
-    return frame;
-}
-
-glm::vec3& axis_of(Frame& frame, std::uint32_t axis) { return axis == 0 ? frame.x : axis == 1 ? frame.y : frame.z; }
-
-/// A Cartesian frame but for one thing: one vector is longer or shorter, or the other way round, or leans; or all have
-/// drifted a little.
-Frame nearly_cartesian(const glm::vec3& origin, Random& random)
-{
-    Frame frame = cartesian(origin, random);
-    const std::uint32_t one = random.below(3);
-    glm::vec3& axis = axis_of(frame, one);
-    switch (random.below(4)) {
-        case 0: axis *= random.below(2) == 0 ? 1.5F : 0.75F; break;
-        case 1: axis = -axis; break;
-        case 2: axis += 0.3F * axis_of(frame, (one + 1) % 3); break;
-        default: frame.x += 2e-3F * frame.y, frame.z *= 1.002F;
-    }
-    return frame;
-}
 
 const Frame world{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
 
@@ -78,11 +40,15 @@ void record_known(Variation& vary, Recorder& out)
 void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
-        // Every third of each is nearly Cartesian.
+        // Every third of each is nearly Cartesian. Every sixth pair is one frame and itself with another vector.
         const glm::vec3 here = 8.0F * random.in_cube();
         const glm::vec3 there = 8.0F * random.in_cube();
         const Frame from = i % 3 == 0 ? nearly_cartesian(here, random) : oblique(here, random);
-        const Frame to = i % 3 == 1 ? nearly_cartesian(there, random) : oblique(there, random);
+        Frame to = i % 3 == 1 ? nearly_cartesian(there, random) : oblique(there, random);
+        if (i % 6 == 5) {
+            to = from;
+            axis_of(to, random.below(3)) *= random.below(2) == 0 ? 1.5F : 0.75F;
+        }
         out.append("matrix", ask<frame_matrix>(out, from));
         out.append("inverse", ask<inverse_of_frame>(out, from));
         out.append("between", ask<between_frames>(out, from, to));
@@ -91,13 +57,12 @@ void record_random(Random& random, Recorder& out)
 }
 
 // Cartesian frames that have been turned too often: off by a thousandth, or by less than the threshold of 1e-4 up to
-// which they are still called Cartesian. The transpose is the inverse no more.
+// which they are still called Cartesian. The transpose is the inverse no more. Half of them are left-handed.
 void record_drifted(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
-        Frame frame = cartesian(8.0F * random.in_cube(), random);
-        for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z})
-            *axis += (i % 2 == 0 ? 2e-3F : 4e-5F) * random.unit_vector();
+        const glm::vec3 origin = 8.0F * random.in_cube();
+        const Frame frame = drifted(origin, i % 2 == 0 ? 2e-3F : 4e-5F, i % 4 > 1, random);
         out.append("inverse", ask<inverse_of_frame>(out, frame));
     }
 }
@@ -151,8 +116,8 @@ void record_kinds(Variation& vary, Random& random, Recorder& out)
     }
 }
 
-// Half and twice the thresholds of 1e-4, in pairs, in random order: cosines of 0.5e-4 and 2e-4, also where one of the
-// two vectors is long or short, and lengths that are as far from 1.
+// On both sides of the thresholds of 1e-4, in pairs, in random order: cosines of 0.5e-4 … 0.85e-4 and of 1.2e-4 … 2e-4,
+// also where one of the two vectors is long or short, and lengths that are as far from 1.
 void record_thresholds(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
@@ -161,7 +126,7 @@ void record_thresholds(Random& random, Recorder& out)
         const bool first = random.below(2) == 1;
         for (const bool beyond : {first, !first}) {
             Frame other = frame;
-            const float off = sign * (beyond ? 2e-4F : 0.5e-4F);
+            const float off = sign * 1e-4F * (beyond ? random.uniform(1.2F, 2) : random.uniform(0.5F, 0.85F));
             glm::vec3& axis = i % 3 == 0 ? other.x : i % 3 == 1 ? other.y : other.z;
             glm::vec3& next = i % 3 == 0 ? other.y : i % 3 == 1 ? other.z : other.x;
             if (i % 2 == 0)
@@ -176,29 +141,17 @@ void record_thresholds(Random& random, Recorder& out)
     }
 }
 
-/// A multiple of 2^-23 between 0.5 and 1 with all its digits, and a sign: the sum of two is a float, their products are
-/// no doubles.
-float full_number(Random& random)
-{
-    const float size = 0.5F + 0x1p-23F * static_cast<float>(random.below(1U << 22U));
-    return random.below(2) == 0 ? size : -size;
-}
-
-/// Components j and k of x and y become such that x_j y_k - x_k y_j is 2^-46, the least that there is.
-void make_nearly_parallel(Frame& frame, int j, int k)
-{
-    const float size = std::abs(frame.x[j]);
-    frame.x[j] = size;
-    frame.x[k] = size - 0x1p-23F;
-    frame.y[j] = size + 0x1p-23F;
-    frame.y[k] = size;
-}
-
 // z = x + y, exactly, so that the frame is degenerate; and the same a unit in the last place above or below, which
 // changes the volume by 2^-69 where x and y are nearly parallel. As small and as large as floats are, and in between.
 void record_coplanar(Variation& vary, Random& random, Recorder& out)
 {
-    for (const int i : numbers(vary, 120)) {
+    for (const int i : numbers(vary, 150)) {
+        if (i >= 120) {
+            const Frame frame = nearly_flat(i % 2 == 0, random);
+            out.append("sign", ask<orientation>(out, frame));
+            record_kind(out, frame);
+            continue;
+        }
         Frame frame = world;
         for (int k = 0; k < 3; ++k) {
             frame.x[k] = full_number(random);
@@ -216,6 +169,7 @@ void record_coplanar(Variation& vary, Random& random, Recorder& out)
         frame.y *= size(i < 60 ? 1 : 3);
         frame.z *= size(i < 60 ? 1 : 9);
         out.append("sign", ask<orientation>(out, frame));
+        record_kind(out, frame);
     }
 }
 
@@ -238,8 +192,9 @@ void record_ill_conditioned(Random& random, Recorder& out)
     }
 }
 
-// Two frames a few steps from each other, or but a thousandth apart, as far from the world's origin as a town, a
-// country or a planet is wide in metres.
+// Two frames a few steps from each other, or the same but for a thousandth in all vectors or in one, as far from the
+// world's origin as a town, a country or a planet is wide in metres. Half of the Cartesian ones have drifted by less
+// than what classify_frame forgives, and may be left-handed.
 void record_far(Random& random, Recorder& out)
 {
     for (const float far : {1e4F, 1e5F, 1e6F, 1e7F}) {
@@ -247,10 +202,16 @@ void record_far(Random& random, Recorder& out)
             const glm::vec3 here = far * random.unit_vector();
             const glm::vec3 there = here + 8.0F * random.unit_vector();
             const Frame from = oblique(here, random);
-            Frame to = i % 2 == 0 ? cartesian(there, random) : oblique(there, random);
+            Frame to = i % 4 == 0   ? cartesian(there, random)
+                       : i % 4 == 2 ? drifted(there, 4e-5F, i % 8 == 2, random)
+                                    : oblique(there, random);
             if (i % 4 == 3) {
                 to = from;
-                for (glm::vec3* axis : {&to.x, &to.y, &to.z}) *axis += 1e-3F * random.unit_vector();
+                const std::uint32_t one = random.below(3);
+                for (std::uint32_t axis = 0; axis < 3; ++axis) {
+                    const glm::vec3 aside = 1e-3F * random.unit_vector();
+                    if (i % 8 == 3 || axis == one) axis_of(to, axis) += aside;
+                }
             }
             out.append("between", ask<between_frames>(out, from, to));
         }

@@ -59,6 +59,18 @@ TEST(Frames, same_point_in_both_frames)
     }
 }
 
+// All large products cancel, and 1e-60 of them is left; with another component 0, nothing.
+TEST(Frames, orientation_is_exact_however_little_is_left)
+{
+    const Frame frame{{1e20F, 1e20F, 0}, {1, 1, 1e-30F}, {1e-30F, 0, 1}, {0, 0, 0}};
+    EXPECT_EQ(orientation(frame), 1);
+    EXPECT_EQ(orientation({frame.y, frame.x, frame.z, frame.origin}), -1);
+    EXPECT_EQ(orientation({frame.x, frame.y, {1e-30F, 1e-30F, 1}, frame.origin}), 0);
+    // The least and the largest floats.
+    EXPECT_EQ(orientation({{1e-45F, 0, 0}, {0, 0, 1e-45F}, {0, 1e-45F, 0}, {0, 0, 0}}), -1);
+    EXPECT_EQ(orientation({{3e38F, 3e38F, 0}, {3e38F, 3e38F, 1e-45F}, {1e-45F, 0, 3e38F}, {0, 0, 0}}), 1);
+}
+
 // z = x + y exactly, of numbers with 23 bits: the determinant is 0; a unit in the last place decides otherwise.
 TEST(Frames, orientation_is_exact)
 {
