@@ -90,9 +90,7 @@ std::vector<std::uint32_t> any_sides(Random& random)
 // Pairs of what is no polygon and what is one, so that neither answer to all is worth anything.
 void record_sizes(Random& random, Recorder& out)
 {
-    out.columns("fan",
-                "positions, triangles, edges, sum of the triangles' indices modulo 10007, "
-                "sum of the edges' indices modulo 10007");
+    name_sizes(out);
     std::uint32_t none = 0;
     for (const std::uint32_t some : any_sides(random)) {
         const bool swapped = random.below(2) == 1;
@@ -109,8 +107,16 @@ void record_sizes(Random& random, Recorder& out)
     }
 }
 
+/// The last vertex that is exactly (0, 0), counted from 0; -1 if there is none.
+float last_at_origin(const std::vector<glm::vec2>& positions)
+{
+    for (std::size_t i = positions.size(); i > 0; --i)
+        if (positions[i - 1] == glm::vec2(0)) return static_cast<float>(i - 1);
+    return -1;
+}
+
 // Where segments meet: how many different corners they have, and which of the ends the last one equals first: n and 0
-// if no joint gapes.
+// if no joint gapes. And of fans, how many vertices they have, and which is the centre.
 void record_joints(Random& random, Recorder& out)
 {
     std::vector<std::uint32_t> all = {3, 4, 5, 7, 12, 100};
@@ -123,6 +129,10 @@ void record_joints(Random& random, Recorder& out)
             if (!std::isnan(ends[i].x) && !std::isnan(ends[i].y))
                 last = first.try_emplace({ends[i].x, ends[i].y}, static_cast<float>(i)).first->second;
         out.append("joints", glm::vec2(static_cast<float>(first.size()), last));
+    }
+    for (int i = 0; i < 4; ++i) {
+        const std::vector<glm::vec2> vertices = ask<polygon_fan>(out, 4 + random.below(400)).positions;
+        out.append("joints", glm::vec2(static_cast<float>(vertices.size()), last_at_origin(vertices)));
     }
 }
 
@@ -156,12 +166,23 @@ void record_many(Random& random, Recorder& out)
     }
 }
 
-// More corners than 16 bits can number.
+// Corners of a fan that are 1e-5 from each other and less: none is another's.
+void record_dense(Random& random, Recorder& out)
+{
+    const std::uint32_t sides = 650'000 + random.below(350'000);
+    const std::vector<std::uint32_t> places = some_corners(random, sides);
+    const std::vector<glm::vec2> corners = ask<polygon_fan>(out, sides).positions;
+    for (const std::uint32_t i : places)
+        record_rows(out, "corners", i < corners.size() ? std::vector{corners[i]} : std::vector<glm::vec2>(), 1);
+}
+
+// More corners than 16 bits can number. All in one case: slow work loses this one.
 void record_long(Random& random, Recorder& out)
 {
     name_sizes(out);
     for (const std::uint32_t sides : {65'536U, 65'537U, 65'600U + random.below(200), 70'000U + random.below(30'000)})
         out.append("fan", std::span<const float>(size_of(ask<polygon_fan>(out, sides))));
+    record_dense(random, out);
 }
 
 void record_work(Recorder& out)
