@@ -18,9 +18,8 @@ constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 void record_matrices(Recorder& out, Random& random)
 {
     for (int i = 0; i < 100; ++i) {
-        const auto length = [&] { return 1 + static_cast<int>(random.below(2000)); };
-        const int width = length();
-        const glm::ivec2 picture(width, length());
+        const int width = 1 + static_cast<int>(random.below(2000));
+        const glm::ivec2 picture(width, 1 + static_cast<int>(random.below(2000)));
         const int column = static_cast<int>(random.uniform(-0.2F, 1.2F) * static_cast<float>(width));
         glm::ivec2 pixel(column, static_cast<int>(random.uniform(-0.2F, 1.2F) * static_cast<float>(picture.y)));
         const int far_off = static_cast<int>((1U << 30U) + random.below((1U << 30U) - 5000));
