@@ -15,6 +15,9 @@ using Json = nlohmann::json;
 /// Raw in a page, this tag means that a submission wrote markup into it.
 constexpr const char* markup = "<x-umbral";
 
+/// What the reports say of a unit that is missing: its checks, in four files.
+constexpr double kib_of_another_unit = 24;
+
 const Json* unit_in(const Json& report, const std::string& id)
 {
     const auto units = report.find("units");
@@ -64,12 +67,21 @@ public:
             if (stat((folder_ / name).c_str(), &status) == 0 && (status.st_mode & S_IROTH) != 0 && others_enter())
                 found_.push_back(fmt::format("every user of this machine can read {}", name));
         }
-        if (const double kib = disk_kib(folder_); kib > attack_.bounds.report_kib)
-            found_.push_back(fmt::format("its reports take {:.0f} KiB; at most {:.0f} were expected", kib,
-                                         attack_.bounds.report_kib));
+        const double most = attack_.bounds.report_kib + kib_of_another_unit * other_units();
+        if (const double kib = disk_kib(folder_); kib > most)
+            found_.push_back(fmt::format("its reports take {:.0f} KiB; at most {:.0f} were expected", kib, most));
     }
 
 private:
+    /// Units that others of the class attack, and this one did not hand in.
+    [[nodiscard]] double other_units() const
+    {
+        const Json& report = graded_.reports.at(attack_.id());
+        const auto units = report.find("units");
+        return units == report.end() ? 0
+                                     : static_cast<double>(units->size()) - static_cast<double>(attack_.units.size());
+    }
+
     void look_at(const std::string& name, const std::string& text) const
     {
         if (const int c = control_character(text); c >= 0)
