@@ -18,6 +18,8 @@ double angle_between(const glm::vec3& a, const glm::vec3& b)
 {
     const glm::dvec3 from(a);
     const glm::dvec3 to(b);
+    // Their product may be -0 there, and atan2(0, -0) is π.
+    if (from == glm::dvec3(0) || to == glm::dvec3(0)) return 0;
     return std::atan2(length(cross(from, to)), dot(from, to));
 }
 

@@ -168,7 +168,9 @@ void record_random(Random& random, Recorder& out)
     for (int i = 0; i < 150; ++i) {
         record(out, i % 3 == 0 ? beside_the_seam(random) : random_point(random));
         const glm::vec3 a = random_point(random);
-        record_angle(out, a, random_point(random));
+        const glm::vec3 b = random_point(random);
+        // One edge in five has an end in the eye.
+        record_angle(out, i % 10 == 3 ? glm::vec3(0) : a, i % 10 == 8 ? glm::vec3(0) : b);
     }
     for (int i = 0; i < 20; ++i) {
         const std::vector<glm::vec3> corners = random_triangles(1 + random.below(3), random);
@@ -220,14 +222,18 @@ void record_refused(Random& random, Recorder& out)
     for (int i = 0; i < 24; ++i) {
         const std::vector<glm::vec3> good = random_triangles(2, random);
         std::vector<glm::vec3> bad = good;
-        bad.resize(i % 2 == 0 ? 4 : 5);
+        constexpr std::array<std::size_t, 4> no_triangles{4, 1, 5, 2};
+        bad.resize(no_triangles[static_cast<std::size_t>(i) / 4 % 4]);
         const float wrong[] = {0, -1, no_number};
+        const std::vector<glm::vec3> list = i % 4 == 2 ? std::vector<glm::vec3>() : good;
+        // Any angle above 0 will do.
+        const float right = i % 4 == 3 ? std::numeric_limits<float>::infinity() : 1.0F;
         const bool first = random.below(2) == 1;
         for (const bool is_bad : {first, !first}) {
             const bool by_count = i % 4 == 0;
             record_refusal(out, "refused", [&] {
-                return ask<tessellated>(out, is_bad && by_count ? bad : good,
-                                        is_bad && !by_count ? wrong[i % 3] : 1.0F);
+                return ask<tessellated>(out, is_bad && by_count ? bad : list,
+                                        is_bad && !by_count ? wrong[i % 3] : right);
             });
         }
     }
