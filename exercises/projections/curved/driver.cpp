@@ -119,7 +119,7 @@ void record_known_angles(Variation& vary, Recorder& out)
     for (const glm::vec3& other :
          {glm::vec3(1, 0, 0), {0, 0, -7}, {0, 0, 2}, {1, 0, -1}, {0, -3, -3}, {0, 0, 0}, {-1, 0, 1}})
         record_angle(out, ahead, cross(ahead, other) == glm::vec3(0) ? other : vary.near(other, 0.3F));
-    record_angle(out, {0, 0, 0}, vary.near(glm::vec3(1, 2, 3), 0.3F));
+    for (const float side : {1.0F, -1.0F}) record_angle(out, {0, 0, 0}, side * vary.near(glm::vec3(1, 2, 3), 0.3F));
     record_angle(out, {2, 0, 0}, vary.near(glm::vec3(1, 1.7320508F, 0), 0.3F));
 }
 
