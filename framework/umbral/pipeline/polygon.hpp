@@ -31,10 +31,11 @@ struct IndexedPolygon {
 
 /// The same polygon as n equal triangles round a new vertex at its centre.
 ///
-/// `positions` holds the n corners as in polygon_loop, and the centre (0, 0) last: n + 1 vertices. `triangles` holds n
-/// of them, counter-clockwise, each of the centre and two corners that follow one another. `edges` holds each edge of
-/// these triangles once: n on the rim and n to the centre. The order of triangles and of edges is free, and so is the
-/// corner that a triangle begins with. All is empty for fewer than three sides. Course: problem 1.2 (a) and (b).
+/// `positions` holds the n corners as in polygon_loop, and the centre, exactly (0, 0), last: n + 1 vertices.
+/// `triangles` holds n of them, counter-clockwise, each of the centre and two corners that follow one another. `edges`
+/// holds each edge of these triangles once: n on the rim and n to the centre. The order of triangles and of edges is
+/// free, and so is the corner that a triangle begins with. All is empty for fewer than three sides. Course: problem 1.2
+/// (a) and (b).
 [[nodiscard]] IndexedPolygon polygon_fan(std::uint32_t sides);
 
 }

@@ -46,9 +46,9 @@ struct TexturePlane {
 ///
 /// - If the u of two corners differ by more than 1/2, the triangle crosses the seam: those below 1/2 get 1 more. The
 ///   texture is repeated there.
-/// - A corner on the axis (x = z = 0) has no longitude of its own, and counts for nothing in the rule above: it gets
-/// the
-///   mean of the final u of the other corners, or that of the only other one. If all three lie there, they keep 1/2.
+/// - A corner on the axis (x = z = 0) has no longitude of its own, and counts for nothing in the rule above. It gets
+///   the mean of the final u of the other corners, or that of the only other one. If all three lie there, they keep
+///   1/2.
 ///
 /// For triangles that span less than half a turn, which is all without the axis inside. Right to 2.4e-7. Course:
 /// "problemas en la costura y en los polos".
