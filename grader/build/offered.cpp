@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Headers of no unit, which all may use.
-constexpr std::array<std::string_view, 4> common{"umbral/core/", "umbral/gl/", "umbral/input/", "umbral/student.hpp"};
+constexpr std::array<std::string_view, 5> common{"umbral/core/", "umbral/gl/", "umbral/input/", "umbral/record/",
+                                                 "umbral/student.hpp"};
 
 void add_lines(const fs::path& file, std::set<std::string>& lines)
 {
