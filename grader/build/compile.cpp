@@ -132,20 +132,6 @@ std::string first_errors(std::string_view output, std::size_t lines)
     return kept;
 }
 
-bool blames_own_file(std::string_view output, const Sources& files)
-{
-    if (linker_refuses_files(output)) return true;
-    std::istringstream stream{std::string(output)};
-    const auto is_error = [](const std::string& line, std::size_t from) {
-        return line.find(" error: ", from) != std::string::npos;
-    };
-    for (std::string line; std::getline(stream, line);) {
-        for (const auto& [name, text] : files)
-            if (line.starts_with(name + ":") && is_error(line, name.size())) return true;
-    }
-    return false;
-}
-
 namespace {
 
 using Outcome = Compilation::Outcome;
@@ -161,9 +147,8 @@ bool has_no_time(const Toolchain& tools)
 /// By what the clock says, or by the compiler's word about a process of its own.
 bool ran_out_of_processor_time(const ConfinedResult& result)
 {
-    constexpr std::string_view word = "g++: fatal error: CPU time limit exceeded signal terminated program ";
-    return result.stopped == Stopped::out_of_processor_time || result.output.starts_with(word) ||
-           result.output.find(fmt::format("\n{}", word)) != std::string::npos;
+    return result.stopped == Stopped::out_of_processor_time ||
+           has_line_beginning(result.output, "g++: fatal error: CPU time limit exceeded signal terminated program ");
 }
 
 /// Was the compiler given less than it may take at most, which is all that is left?
@@ -219,6 +204,21 @@ std::string diagnostics_of(const Toolchain& tools, const ConfinedCommand& comman
     std::string text = first_errors(result.output, 24);
     if (text.empty()) text = first_errors(": error:\n" + result.output, 24).substr(9);
     return printable(text, caps::message);
+}
+
+/// Does g++ output, without this machine's paths, hold an error whose place is one of these files: "sphere.cpp:3:5:
+/// error: …"?
+bool blames_own_file(std::string_view output, const Sources& files)
+{
+    std::istringstream stream{std::string(output)};
+    const auto is_error = [](const std::string& line, std::size_t from) {
+        return line.find(" error: ", from) != std::string::npos;
+    };
+    for (std::string line; std::getline(stream, line);) {
+        for (const auto& [name, text] : files)
+            if (line.starts_with(name + ":") && is_error(line, name.size())) return true;
+    }
+    return false;
 }
 
 Outcome outcome_of(const ConfinedResult& result, const Sources& files)

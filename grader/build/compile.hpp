@@ -50,8 +50,4 @@ enum class Diagnostics { plain, json };
 /// The first errors of g++ output, with their notes and source lines, at most `lines` lines.
 [[nodiscard]] std::string first_errors(std::string_view output, std::size_t lines);
 
-/// Does g++ output, without this machine's paths, hold an error whose place is one of these files: "sphere.cpp:3:5:
-/// error: …"? Or one of the linker's, who alone sees two definitions of the same name.
-[[nodiscard]] bool blames_own_file(std::string_view output, const Sources& files);
-
 }

@@ -20,9 +20,6 @@ constexpr std::array<std::string_view, 6> signs{"No space left on device", "Disk
 constexpr std::array<std::string_view, 7> speakers{
     "g++: ", "cc1plus: ", "as: ", "collect2: ", "ld: ", "mold: ", "  what():  "};
 
-/// So begin the linker's lines about symbols, sections and relocations, all of which the files name.
-constexpr std::string_view about_input = "mold: error: ";
-
 bool ends_with_sign(std::string_view line)
 {
     // The assembler quotes the system.
@@ -46,14 +43,16 @@ bool mentions_machine_trouble(std::string_view output)
     return is_in_it(killed) || std::ranges::any_of(signs, is_in_it);
 }
 
-bool linker_refuses_files(std::string_view output)
+bool has_line_beginning(std::string_view output, std::string_view words)
 {
-    return output.starts_with(about_input) || output.find("\n" + std::string(about_input)) != output.npos;
+    return output.starts_with(words) || output.find("\n" + std::string(words)) != output.npos;
 }
+
+bool linker_refuses_files(std::string_view output) { return has_line_beginning(output, "mold: error: "); }
 
 bool tools_are_in_trouble(std::string_view output)
 {
-    // A name may hold anything, line feeds too.
+    // Those lines are about symbols, sections and relocations, whose names the files choose: line feeds too.
     if (linker_refuses_files(output)) return false;
     while (!output.empty()) {
         const std::string_view line = output.substr(0, output.find('\n'));

@@ -9,6 +9,9 @@ namespace umbral::grader {
 /// many open files". A student can write such words, so this is a reason to try again, and no proof.
 [[nodiscard]] bool mentions_machine_trouble(std::string_view output);
 
+/// Does a line of the output begin with these words?
+[[nodiscard]] bool has_line_beginning(std::string_view output, std::string_view words);
+
 /// Does the linker refuse what the files define or want: "mold: error: duplicate symbol: …"? Any other machine would.
 [[nodiscard]] bool linker_refuses_files(std::string_view output);
 

@@ -26,10 +26,11 @@ HandedIn handed_in(const std::vector<SubmissionFolder>& submissions, const std::
         }
         counted += has_begun ? 1 : 0;
     }
+    const std::size_t enough = submissions_for_a_task(counted);
     HandedIn result;
     for (std::size_t i = 0; i < exercises.size(); ++i) {
         if (begun_by[i].empty()) continue;
-        if (begun_by[i].size() >= submissions_for_a_task(counted))
+        if (begun_by[i].size() >= enough)
             result.task.push_back(exercises[i]);
         else
             result.too_few.push_back({exercises[i].id, std::move(begun_by[i])});

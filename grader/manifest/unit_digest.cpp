@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "manifest/include_lines.hpp"
 #include "model/digest.hpp"
+#include "model/include_lines.hpp"
 #include "text/json_file.hpp"
 
 namespace umbral::grader {

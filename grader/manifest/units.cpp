@@ -11,9 +11,9 @@
 #include <tuple>
 
 #include "judge/judges.hpp"
-#include "manifest/include_lines.hpp"
 #include "manifest/statement_table.hpp"
 #include "manifest/unit_digest.hpp"
+#include "model/include_lines.hpp"
 #include "text/json_file.hpp"
 
 namespace umbral::grader {

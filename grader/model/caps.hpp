@@ -34,7 +34,7 @@ inline constexpr std::size_t rows_more = 1024;  ///< … and so many more, so th
 inline constexpr std::size_t trace_bytes = std::size_t{8}
                                            << 20U;  ///< the same for a trace of OpenGL calls, which is text
 inline constexpr int timeouts = 2;        ///< cases of a unit that may run into the time limit; the rest is not reached
-inline constexpr double unit_limits = 3;  ///< so many times what one case may take all of a unit may, once over
+inline constexpr double unit_limits = 3;  ///< times what one may take: all cases of a unit, each time that they run
 
 // What is read of a submission before units are chosen from it.
 inline constexpr std::size_t source_file = std::size_t{512} << 10U;  ///< bytes of one file of source code

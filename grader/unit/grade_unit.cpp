@@ -103,8 +103,7 @@ std::string printed_text(const Exercise& exercise, const CaseResults& cases)
 /// may have been busy with others, or with its disk.
 bool was_starved(const RunOutcome& run, const Limits& limits)
 {
-    const double half = 0.5 * limits.wall_seconds;
-    return (run.verdict == Verdict::timeout && run.cpu_seconds < half) || slept(run) > half;
+    return (run.verdict == Verdict::timeout && run.cpu_seconds < 0.5 * limits.wall_seconds) || slept_long(run, limits);
 }
 
 /// Looks for what is said beside the grade. The grade stands, whatever goes wrong with that.

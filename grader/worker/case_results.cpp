@@ -79,10 +79,10 @@ Unjudged unjudged_in(const CaseResult& one)
     return one.student.verdict == Verdict::ok ? Unjudged::no : Unjudged::stopped;
 }
 
-/// Or was it as good as that, since it slept for half of its limit? No work of these units waits for anything.
+/// Or as good as that?
 bool ran_into_the_limit(const CaseResult& one, const Limits& limits)
 {
-    return one.reached && (one.student.verdict == Verdict::timeout || slept(one.student) > limits.wall_seconds / 2);
+    return one.reached && (one.student.verdict == Verdict::timeout || slept_long(one.student, limits));
 }
 
 }
@@ -113,8 +113,7 @@ std::string CaseResult::cause() const
     if (!reached)
         return fmt::format(
             "not reached: {} cases ran into the time limit, or all before this one took {:g} times as long together, "
-            "so "
-            "this one was not run; it earns nothing until they are quicker",
+            "so this one was not run; it earns nothing until they are quicker",
             caps::timeouts, caps::unit_limits);
     if (is_stub()) return std::string(in_words(Verdict::not_implemented));
     if (student.verdict == Verdict::ok) return "";

@@ -39,10 +39,11 @@ struct CaseResult {
 };
 using CaseResults = std::map<std::string, CaseResult>;
 
-/// For how many seconds did a run neither compute nor wait for a processor?
-[[nodiscard]] inline double slept(const RunOutcome& run)
+/// Did a run sleep, neither computing nor waiting for a processor, for more than half of what it may take? No work of
+/// these units waits for anything.
+[[nodiscard]] inline bool slept_long(const RunOutcome& run, const Limits& limits)
 {
-    return run.wall_seconds - run.waited_seconds - run.cpu_seconds;
+    return run.wall_seconds - run.waited_seconds - run.cpu_seconds > limits.wall_seconds / 2;
 }
 
 /// May another case of the unit be run? Not after caps::timeouts of them ran into the time limit, or slept for half of

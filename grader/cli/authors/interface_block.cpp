@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "collect/sources.hpp"
-#include "manifest/include_lines.hpp"
+#include "model/include_lines.hpp"
 #include "report/layout.hpp"
 
 namespace umbral::grader {

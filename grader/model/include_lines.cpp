@@ -1,4 +1,4 @@
-#include "manifest/include_lines.hpp"
+#include "model/include_lines.hpp"
 
 #include <algorithm>
 #include <sstream>
