@@ -44,6 +44,25 @@ Bytes with_tensor(const std::function<void(wire::TensorHeader&, std::byte* behin
     return bytes;
 }
 
+TEST(Recording, of_vectors_that_may_be_absent_holds_a_row_for_each)
+{
+    Recorder recorder;
+    recorder.append("places", std::optional(glm::vec3(1, 2, 3)));
+    recorder.append("places", std::optional<glm::vec3>());
+    recorder.append("pixels", std::optional<glm::ivec2>());
+    recorder.append("pixels", std::optional(glm::ivec2(-7, 1 << 30)));
+    const Recording recording = parse_recording(test::finished_run(recorder));
+    const Tensor& places = recording.tensors.at("places");
+    EXPECT_EQ(places.rows, 2U);
+    EXPECT_EQ(places.components, 3U);
+    EXPECT_EQ(places.present, (std::vector<std::uint8_t>{1, 0}));
+    const Tensor& pixels = recording.tensors.at("pixels");
+    EXPECT_EQ(pixels.element, Element::int32);
+    EXPECT_EQ(pixels.present, (std::vector<std::uint8_t>{0, 1}));
+    EXPECT_EQ(pixels.bytes.size(), 4 * sizeof(std::int32_t));
+    EXPECT_THROW(recorder.append("places", glm::vec3(0)), std::logic_error);
+}
+
 TEST(Recording, gives_back_what_was_recorded)
 {
     const Recorder recorder = test::observations();

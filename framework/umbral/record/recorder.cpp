@@ -70,18 +70,41 @@ void Recorder::append(std::string_view name, const glm::mat4& value)
     add_bytes(row(name, Element::float32, 16, false), value);
 }
 
-void Recorder::append(std::string_view name, std::optional<float> value)
+template <class Value>
+void Recorder::optional_row(std::string_view name, Element element, const std::optional<Value>& value)
 {
-    Tensor& tensor = row(name, Element::float32, 1, true);
-    add_bytes(tensor, value.value_or(0.0F));
+    Tensor& tensor = row(name, element, sizeof(Value) / size_of(element), true);
+    add_bytes(tensor, value.value_or(Value(0)));
     tensor.present.push_back(value.has_value() ? 1 : 0);
 }
 
+void Recorder::append(std::string_view name, std::optional<float> value)
+{
+    optional_row(name, Element::float32, value);
+}
+void Recorder::append(std::string_view name, const std::optional<glm::vec2>& value)
+{
+    optional_row(name, Element::float32, value);
+}
+void Recorder::append(std::string_view name, const std::optional<glm::vec3>& value)
+{
+    optional_row(name, Element::float32, value);
+}
+void Recorder::append(std::string_view name, const std::optional<glm::vec4>& value)
+{
+    optional_row(name, Element::float32, value);
+}
+void Recorder::append(std::string_view name, const std::optional<glm::dvec3>& value)
+{
+    optional_row(name, Element::float64, value);
+}
+void Recorder::append(std::string_view name, const std::optional<glm::ivec2>& value)
+{
+    optional_row(name, Element::int32, value);
+}
 void Recorder::append(std::string_view name, const std::optional<glm::mat4>& value)
 {
-    Tensor& tensor = row(name, Element::float32, 16, true);
-    add_bytes(tensor, value.value_or(glm::mat4(0)));
-    tensor.present.push_back(value.has_value() ? 1 : 0);
+    optional_row(name, Element::float32, value);
 }
 
 void Recorder::append(std::string_view name, std::span<const float> values)

@@ -56,6 +56,11 @@ public:
     }
     /// A row that may have no value; that is another observation than any number.
     void append(std::string_view name, std::optional<float> value);
+    void append(std::string_view name, const std::optional<glm::vec2>& value);
+    void append(std::string_view name, const std::optional<glm::vec3>& value);
+    void append(std::string_view name, const std::optional<glm::vec4>& value);
+    void append(std::string_view name, const std::optional<glm::dvec3>& value);
+    void append(std::string_view name, const std::optional<glm::ivec2>& value);
     void append(std::string_view name, const std::optional<glm::mat4>& value);
 
     /// A row of as many numbers as the table's first one, at least one: a fragment or an event, say.
@@ -98,6 +103,8 @@ public:
 
 private:
     Tensor& row(std::string_view name, Element element, std::uint32_t components, bool optional);
+    template <class Value>
+    void optional_row(std::string_view name, Element element, const std::optional<Value>& value);
     void whole(std::string_view name, Element element, int width, int height, std::uint32_t components,
                const void* data);
 
