@@ -73,7 +73,8 @@ void Recorder::append(std::string_view name, const glm::mat4& value)
 template <class Value>
 void Recorder::optional_row(std::string_view name, Element element, const std::optional<Value>& value)
 {
-    Tensor& tensor = row(name, element, sizeof(Value) / size_of(element), true);
+    const auto components = static_cast<std::uint32_t>(sizeof(Value) / size_of(element));
+    Tensor& tensor = row(name, element, components, true);
     add_bytes(tensor, value.value_or(Value(0)));
     tensor.present.push_back(value.has_value() ? 1 : 0);
 }
