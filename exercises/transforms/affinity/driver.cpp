@@ -48,12 +48,12 @@ void record_random(Random& random, Recorder& out)
     }
 }
 
-// Five to twelve points whose images are off by up to a tenth: which map misses them least? In every third set two
-// points were measured twice, and so count twice.
+// Five to twelve points, or far more, whose images are off by up to a tenth: which map misses them least? In every
+// third set two points were measured twice, and so count twice.
 void record_many(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
-        std::vector<glm::vec3> points = some_points(random, 1 + random.below(8));
+        std::vector<glm::vec3> points = some_points(random, i % 4 == 3 ? many_more(random) : 1 + random.below(8));
         if (i % 3 == 1) points.insert(points.end(), {points[1], points[4]});
         record_matrix(out, noisy(pairs_of(points, some_affine_map(random)), 0.1F, random));
     }
@@ -97,21 +97,21 @@ void record_planes(Random& random, Recorder& out)
     }
 }
 
-// Pairs of maps that bend by half of what is allowed and by twice as much: one image of nine moves away from the
-// others. Images of all sizes, and of other extents in each coordinate. In every third pair the image moves in all
-// three coordinates, each by nearly what is allowed, or one by more.
+// Pairs of maps that bend by half of what is allowed and by twice as much: one image of nine, or of far more, moves
+// away from the others. Images of all sizes, and of other extents in each coordinate. In every third pair the image
+// moves in all three coordinates, each by nearly what is allowed, or one by more.
 void record_affinity(Random& random, Recorder& out)
 {
     for (int i = 0; i < 50; ++i) {
         const float size = std::pow(10.0F, random.uniform(-4, 4));
         const float tolerance = std::pow(10.0F, random.uniform(-3.7F, i % 3 == 0 ? -2.0F : -1.3F));
-        Pairs pairs = pairs_of(some_points(random, 5), some_affine_map(random));
+        Pairs pairs = pairs_of(some_points(random, i % 4 == 1 ? many_more(random) : 5), some_affine_map(random));
         glm::vec3 widths(1);
         widths[static_cast<int>(random.below(3))] = 0.1F;
         widths[static_cast<int>(random.below(3))] *= 0.2F;
         for (PointPair& pair : pairs) pair.image *= widths;
         const float extent = extent_of(pairs);
-        const std::size_t moved = random.below(9);
+        const std::size_t moved = random.below(static_cast<std::uint32_t>(pairs.size()));
         const int axis = static_cast<int>(random.below(3));
         const bool bent_first = random.below(2) == 1;
         for (const bool is_bent : {bent_first, !bent_first}) {
@@ -126,6 +126,23 @@ void record_affinity(Random& random, Recorder& out)
             for (PointPair& pair : bent) pair.image *= size;
             out.append("affine", ask<is_affine>(out, bent, tolerance));
         }
+    }
+}
+
+// Images anywhere, of which the nearest map misses a good part of their extent: as much as is allowed but for a
+// twentieth, or more than that. The map's own images are not as far apart as those that were measured.
+void record_scattered(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 20; ++i) {
+        glm::vec3 widths(0.5F);
+        widths[static_cast<int>(random.below(3))] = 1;
+        Pairs pairs;
+        for (const glm::vec3& point : some_points(random, 1 + random.below(8)))
+            pairs.push_back({point, widths * random.in_cube()});
+        const auto share = static_cast<float>(missed_by_nearest(pairs)) / extent_of(pairs);
+        const bool bent_first = random.below(2) == 1;
+        for (const bool is_bent : {bent_first, !bent_first})
+            out.append("affine", ask<is_affine>(out, pairs, (is_bent ? 0.95F : 1.05F) * share));
     }
 }
 
@@ -229,6 +246,25 @@ void record_far_affinity(Random& random, Recorder& out)
     }
 }
 
+// Images in whole steps, where a float counts no less: one that is a step off bends the map.
+void record_whole_affinity(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 16; ++i) {
+        Pairs pairs = whole_and_far(random);
+        const std::size_t moved = random.below(8);
+        const float tolerance = 0.3F * static_cast<float>(missed_after_step(pairs, moved)) / extent_of(pairs);
+        const int axis = static_cast<int>(random.below(3));
+        const float unit = std::ldexp(1.0F, static_cast<int>(random.below(30)) - 24);
+        const bool bent_first = random.below(2) == 1;
+        for (const bool is_bent : {bent_first, !bent_first}) {
+            Pairs bent = pairs;
+            if (is_bent) bent[moved].image[axis] += 1;
+            for (PointPair& pair : bent) pair.image *= unit;
+            out.append("affine", ask<is_affine>(out, bent, tolerance));
+        }
+    }
+}
+
 }
 
 const Driver driver = {
@@ -239,6 +275,7 @@ const Driver driver = {
     {"affinity",
      [](Case& c, Recorder& out) {
          record_affinity(c.random, out);
+         record_scattered(c.random, out);
          record_without_extent(c.random, out);
      }},
     {"wave", [](Case& c, Recorder& out) { record_wave(c.random, out); }},
@@ -248,6 +285,8 @@ const Driver driver = {
      [](Case& c, Recorder& out) {
          record_far(c.random, out);
          record_far_affinity(c.random, out);
+         record_whole_affinity(c.random, out);
+         for (int i = 0; i < 40; ++i) out.append("defect", ask<parallelogram_defect>(out, cancelling_images(c.random)));
      }},
     {"picture", [](Case&, Recorder& out) { out.image("wave", draw_wave(out)); }},
 };

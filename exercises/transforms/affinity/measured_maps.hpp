@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <umbral/core/random.hpp>
@@ -91,6 +92,86 @@ inline double missed_after_step(const Pairs& pairs, std::size_t moved)
         most = std::max(most, std::abs((i == moved ? 1.0 : 0.0) - follows));
     }
     return most;
+}
+
+/// How far the nearest affine map misses an image at most, in one coordinate.
+inline double missed_by_nearest(const Pairs& pairs)
+{
+    const auto count = static_cast<double>(pairs.size());
+    glm::dvec3 point(0);
+    glm::dvec3 image(0);
+    for (const PointPair& pair : pairs) {
+        point += glm::dvec3(pair.point) / count;
+        image += glm::dvec3(pair.image) / count;
+    }
+    glm::dmat3 squares(0);
+    glm::dmat3 mixed(0);
+    for (const PointPair& pair : pairs) {
+        squares += glm::outerProduct(glm::dvec3(pair.point) - point, glm::dvec3(pair.point) - point);
+        mixed += glm::outerProduct(glm::dvec3(pair.image) - image, glm::dvec3(pair.point) - point);
+    }
+    const glm::dmat3 map = mixed * glm::inverse(squares);
+    double most = 0;
+    for (const PointPair& pair : pairs) {
+        const glm::dvec3 missed = glm::abs(map * (glm::dvec3(pair.point) - point) - (glm::dvec3(pair.image) - image));
+        most = std::max({most, missed.x, missed.y, missed.z});
+    }
+    return most;
+}
+
+/// More than anybody lays by for: 13 to 300, most of them few.
+inline std::size_t many_more(Random& random)
+{
+    return static_cast<std::size_t>(std::exp2(random.uniform(std::log2(13.0F), std::log2(300.0F))));
+}
+
+/// Images of a box and of a few points about it, all in whole numbers, none of them rounded: an affine map, and far
+/// from the origin, where a float counts whole steps only. The box's corners come first.
+inline Pairs whole_and_far(Random& random)
+{
+    const auto whole = [&](int low, int high) {
+        return static_cast<double>(low) + static_cast<double>(random.below(static_cast<std::uint32_t>(high - low + 1)));
+    };
+    const auto sign = [&] { return random.below(2) == 0 ? 1.0 : -1.0; };
+    glm::dmat3 map;
+    glm::dvec3 sides;
+    glm::dvec3 here;
+    glm::dvec3 there;
+    const bool near_points = random.below(2) == 0;
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) map[i][k] = i == k ? sign() * whole(1, 3) : whole(-2, 2);
+        sides[i] = whole(1, 4);
+        here[i] = near_points ? 0 : sign() * whole(1 << 18, 1 << 20);
+        there[i] = sign() * whole(1 << 23, (1 << 24) - 200);
+    }
+    const std::uint32_t count = 9 + random.below(6);
+    Pairs pairs;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        glm::dvec3 place = sides * glm::dvec3(i & 1, i >> 1 & 1, i >> 2 & 1);
+        if (i >= 8) place = glm::dvec3(glm::ivec3(4.99F * random.in_cube()));
+        pairs.push_back({glm::vec3(here + place), glm::vec3(there + map * place)});
+    }
+    return pairs;
+}
+
+/// Images of which large parts cancel each other, in any two of the four or in all: sums of two of them are no floats.
+inline std::array<glm::vec3, 4> cancelling_images(Random& random)
+{
+    std::array<glm::vec3, 4> images{};
+    const auto large = [&] { return (random.below(2) == 0 ? 1 : -1) * random.uniform(1e5F, 1e6F); };
+    for (int axis = 0; axis < 3; ++axis) {
+        std::array<float, 4> terms{};  // of the sum that is 0 for affine maps
+        const bool all = random.below(3) == 0;
+        for (float& term : terms) term = all ? large() : random.uniform(-8, 8);
+        const std::uint32_t first = random.below(4);
+        const std::uint32_t second = (first + 1 + random.below(3)) % 4;
+        terms[first] = large();
+        double rest = (random.below(2) == 0 ? 1 : -1) * double{random.uniform(2, 8)};
+        for (std::size_t k = 0; k < 4; ++k) rest += k == second ? 0 : double{terms[k]};
+        terms[second] = static_cast<float>(-rest);
+        for (std::size_t k = 0; k < 4; ++k) images[k][axis] = k == 1 || k == 2 ? -terms[k] : terms[k];
+    }
+    return images;
 }
 
 inline float extent_of(const Pairs& pairs)
