@@ -113,8 +113,28 @@ void spoil(Random& random, glm::vec4& corner)
         case 0: corner[k] = std::numeric_limits<float>::quiet_NaN(); break;
         case 1: corner[k] = -infinity; break;
         case 2: corner[k] = infinity; break;
-        default: corner = glm::vec4(0);
+        default:
+            for (int i = 0; i < 4; ++i) corner[i] = random.below(2) == 0 ? 0.0F : -0.0F;
     }
+}
+
+/// Smaller than a pixel, as hills far away are, without perspective every other time. Inside, or across one plane.
+ClipTriangle small(Random& random)
+{
+    const float size = std::exp2(random.uniform(-17, -13));
+    const bool cut = random.below(2) == 0;
+    const bool perspective = random.below(2) == 0;
+    const int axis = static_cast<int>(random.below(3));
+    const std::size_t beyond = random.below(3);
+    glm::vec3 middle = 0.8F * random.in_cube();
+    if (cut) middle[axis] = middle[axis] < 0 ? -1 : 1;
+    ClipTriangle triangle{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        glm::vec3 step = random.in_cube();
+        if (cut) step[axis] = (k == beyond ? 1 : -1) * middle[axis] * random.uniform(0.3F, 1);
+        triangle[k] = glm::vec4(middle + size * step, 1) * (perspective ? std::exp2(random.uniform(-1, 2)) : 1.0F);
+    }
+    return triangle;
 }
 
 std::vector<ClipTriangle> random_triangles(Random& random, int count)
@@ -125,6 +145,8 @@ std::vector<ClipTriangle> random_triangles(Random& random, int count)
         const glm::vec4 b = random_corner(random, 2);
         triangles.push_back({a, b, random_corner(random, i % 3 == 0 ? 3.0F : 1.5F)});
         if (i % 12 == 5) triangles.back() = through_all_sides(random);
+        if (i % 12 == 2 || i % 12 == 10) triangles.back() = small(random);
+        if (i % 24 == 11) triangles.back() = {0.4F * a, 0.4F * a + 0.6F * glm::vec4(0, 0, 0, a.w), 0.4F * a};
         if (i % 12 == 8) spoil(random, triangles.back()[random.below(3)]);
         std::rotate(triangles.back().begin(), triangles.back().begin() + random.below(3), triangles.back().end());
     }

@@ -56,19 +56,23 @@ inline std::vector<ClipTriangle> limits()
         {glm::vec4(0.5F, 0, 0, 1), {0, 0, 0, infinity}, {0, 0.5F, 0, 1}},
         {glm::vec4(nan, 0, 0, 1), {0.5F, 0, 0, 1}, {0, 0.5F, 0, 1}},
         {glm::vec4(0.5F, 0, 0, 1), {0, 0.5F, -infinity, 1}, {0, 0.5F, 0, 1}},
-        {glm::vec4(0, 0, 0, 0), {0.5F, 0, 0, 1}, {0, 0.5F, 0, 1}},             // a corner in the eye
-        {glm::vec4(0, 0, 0, 0), {0.5F, 0, 0, 1}, {0, 3, 0, 1}},                // … and a side to cut
-        {glm::vec4(0.25F, 0, 0, 1), {-0.5F, 0.5F, 0.5F, 1}, {0, 2, 0, 1}},     // without the eye: something
-        {glm::vec4(-3, 0, 0.5F, 1), {0, 0, 0, 0}, {2, 0.25F, 0, 1}},           // … two
-        {glm::vec4(0.25F, 0.5F, 0, -1), {0.5F, 0.25F, 0, 1}, {0, 0, 0, 0}},    // … and one behind
-        {glm::vec4(0.5F, 0, 0, -1), {0, 0.5F, 0, -1}, {-0.5F, -0.5F, 0, -1}},  // all behind
-        {glm::vec4(0, 0.5F, -2, 0), {0.5F, 0, 0, 1}, {-0.5F, 0.125F, 0, 1}},   // a corner in the camera's plane
+        {glm::vec4(0, 0, 0, 0), {0.5F, 0, 0, 1}, {0, 0.5F, 0, 1}},               // a corner in the eye
+        {glm::vec4(0, -0.0F, 0, 0), {0.5F, 0, 0, 1}, {0, 3, 0, 1}},              // … and a side to cut
+        {glm::vec4(0.25F, 0, 0, 1), {-0.5F, 0.5F, 0.5F, 1}, {0, 2, 0, 1}},       // without the eye: something
+        {glm::vec4(-3, 0, 0.5F, 1), {0, 0, 0, 0}, {2, 0.25F, 0, 1}},             // … two
+        {glm::vec4(0.25F, 0.5F, 0, -1), {0.5F, 0.25F, 0, 1}, {0, 0, 0, -0.0F}},  // … and one behind
+        {glm::vec4(0.5F, 0, 0, -1), {0, 0.5F, 0, -1}, {-0.5F, -0.5F, 0, -1}},    // all behind
+        {glm::vec4(0, 0.5F, -2, 0), {0.5F, 0, 0, 1}, {-0.5F, 0.125F, 0, 1}},     // a corner in the camera's plane
         {glm::vec4(-1.875F, 1.8125F, 0.0625F, 1),
          {0, -1.875F, 1.8125F, 1},
          {1.8125F, 0.03125F, -1.875F, 1}},  // as many corners as there can be
         // A corner so little beyond the side that the two new ones are the same floats: three corners are left.
         {glm::vec4(1 + 0x1p-23F, 0.75F, 0, 1), {-0.5F, 0.875F, 0, 1}, {-0.5F, 0.625F, 0, 1}},
         {glm::vec4(-0.5F, 0.625F, 0, 1), {1 + 0x1p-23F, 0.75F, 0, 1}, {-0.5F, 0.875F, 0, 1}},
+        // Two equal corners inside, or three: nothing.
+        {glm::vec4(0.25F, 0.25F, 0, 1), {0.25F, 0.25F, 0, 1}, {-0.5F, 0.5F, 0, 1}},
+        {glm::vec4(-0.5F, 0.25F, 0.5F, 2), {0.25F, 0.75F, 0, 1}, {-0.5F, 0.25F, 0.5F, 2}},
+        {glm::vec4(0.5F, 0.25F, 0, 1), {0.5F, 0.25F, 0, 1}, {0.5F, 0.25F, 0, 1}},
         // Two corners that differ in w only, and one whose numbers are finite, but not their sum.
         {glm::vec4(0.25F, 0.25F, 0, 1), {0.25F, 0.25F, 0, 2}, {-0.5F, 0.5F, 0, 1}},
         {glm::vec4(0x1p126F, 0x1p125F, 0x1p126F, 0x1p127F), {-0.5F, 0.5F, 0, 1}, {0, -0.5F, 0.25F, 1}},
