@@ -108,8 +108,9 @@ AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_
 {
     const Check& check = asked.check;
     AskedAnswers answers;
-    if (asked.result.hidden || check.relation || !judge_of(check).plain_values) return answers;
     const bool seen = seed == asked.result.seed;
+    // What was graded of a hidden case is not asked again.
+    if ((asked.result.hidden && seen) || check.relation || !judge_of(check).plain_values) return answers;
     const RunOutcome& run = worker.trusted(asked.exercise, judged_against(check), check.case_name, seed);
     const QuestionLog& log = seen ? asked.log : worker.questions(asked.exercise, check.case_name, seed);
     const Expected expected = expected_of(check, run);

@@ -104,6 +104,24 @@ ToldSample by_question(QuestionTable table, const AnswersOfKind& answers)
     return told_of(std::move(table), std::move(wrong));
 }
 
+bool are_alike(const std::vector<Fact>& some, const std::vector<Fact>& others)
+{
+    return std::ranges::equal(some, others, {}, &Fact::words, &Fact::words);
+}
+
+void add_facts(std::vector<Fact>& facts, const std::vector<Fact>& others)
+{
+    for (std::size_t i = 0; i < facts.size(); ++i)
+        std::ranges::copy(others[i].values, std::back_inserter(facts[i].values));
+}
+
+void add_told(ToldSample& told, const ToldSample& other)
+{
+    std::ranges::copy(other.numbers, std::back_inserter(told.numbers));
+    std::ranges::copy(other.wrong, std::back_inserter(told.wrong));
+    add_facts(told.facts, other.facts);
+}
+
 }
 
 AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
@@ -127,6 +145,21 @@ AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t 
     result.by_question = by_question(table, of_kind);
     if (!result.by_question.numbers.empty()) result.by_answer = by_answer(no_questions(answers), of_kind);
     return result;
+}
+
+bool add(AskedSample& sample, const AskedSample& other)
+{
+    const bool alike =
+        sample.answers.components == other.answers.components && sample.by_answer.names == other.by_answer.names &&
+        sample.by_question.names == other.by_question.names && are_alike(sample.answers.facts, other.answers.facts) &&
+        are_alike(sample.by_answer.facts, other.by_answer.facts) &&
+        are_alike(sample.by_question.facts, other.by_question.facts);
+    if (!alike) return false;
+    std::ranges::copy(other.answers.answers, std::back_inserter(sample.answers.answers));
+    add_facts(sample.answers.facts, other.answers.facts);
+    add_told(sample.by_answer, other.by_answer);
+    add_told(sample.by_question, other.by_question);
+    return true;
 }
 
 }

@@ -36,4 +36,7 @@ struct AskedSample {
 /// The answers with the inputs of a seed. The student's code may be run again.
 [[nodiscard]] AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed);
 
+/// Adds the answers of another seed. False, and nothing is changed, if other things are told of them.
+[[nodiscard]] bool add(AskedSample& sample, const AskedSample& other);
+
 }

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "explain/asked_sample.hpp"
+#include "model/digest.hpp"
 #include "question/conditions.hpp"
 
 namespace umbral::grader {
@@ -14,37 +16,79 @@ namespace {
 constexpr std::size_t least_of_fixed = 6;  ///< questions on either side, where no fresh ones can confirm a condition
 /// Something that is so for 1 answer of 100 but one is found out with these many; few are asked at a time.
 constexpr std::size_t enough_answers = 200;
+constexpr std::size_t enough_seen = 8;  ///< wrong answers in which something is looked for
 constexpr std::size_t most_in_vector = 4;
-constexpr std::size_t least_confirmed = 2;  ///< sets of fresh inputs
+constexpr std::size_t most_added = 3;       ///< sets of fresh inputs, where few answers are wrong
+constexpr std::size_t least_confirmed = 2;  ///< sets of fresh inputs with wrong answers
 constexpr std::size_t most_confirmed = 6;
+
+std::size_t wrong_in(const std::vector<bool>& wrong)
+{
+    return static_cast<std::size_t>(std::ranges::count(wrong, true));
+}
+
+std::size_t wrong_in(const AnswerTable& table)
+{
+    return static_cast<std::size_t>(std::ranges::count_if(table.answers, &AnswerPair::wrong));
+}
 
 bool has_both(const std::vector<bool>& wrong, std::size_t least)
 {
-    const auto count = static_cast<std::size_t>(std::ranges::count(wrong, true));
-    return count >= least && wrong.size() - count >= least;
+    return wrong_in(wrong) >= least && wrong.size() - wrong_in(wrong) >= least;
 }
 
 /// The answers that were graded, and those to fresh inputs, where what was seen is confirmed; each found out once, when
-/// first asked for.
+/// first asked for. Of a hidden case all inputs are fresh, and the same for everybody: what is said of them tells
+/// nothing about those that were graded.
 class Samples {
 public:
     Samples(Worker& worker, const AskedCheck& asked) : worker_(worker), asked_(asked) {}
 
-    const AskedSample& seen() { return at(0); }
-    /// From 1 to most_confirmed.
-    const AskedSample& fresh(std::size_t number) { return at(number); }
+    /// In what few answers are wrong, more are looked at.
+    const AskedSample& seen()
+    {
+        if (seen_) return *seen_;
+        seen_ = asked_at(next_++);
+        while (next_ <= most_added && wrong_in(seen_->answers) < enough_seen) {
+            const AskedSample more = asked_at(next_);
+            is_fixed_ = is_fixed_ || more.by_answer.numbers == seen_->by_answer.numbers;
+            if (is_fixed_ || !add(*seen_, more)) break;
+            ++next_;
+        }
+        return *seen_;
+    }
+
+    /// Are the same questions asked whatever the seed?
+    bool is_fixed()
+    {
+        is_fixed_ = is_fixed_ || fresh(1).by_answer.numbers == seen().by_answer.numbers;
+        return is_fixed_;
+    }
+
+    /// From 1 to most_confirmed; none of them was seen.
+    const AskedSample& fresh(std::size_t number)
+    {
+        (void)seen();
+        std::optional<AskedSample>& one = fresh_.at(number - 1);
+        if (!one) one = asked_at(next_ - 1 + number);
+        return *one;
+    }
 
 private:
-    const AskedSample& at(std::size_t place)
+    [[nodiscard]] AskedSample asked_at(std::size_t place) const
     {
-        std::optional<AskedSample>& one = samples_.at(place);
-        if (!one) one = asked_sample(worker_, asked_, asked_.result.seed ^ (place * 0x9E3779B97F4A7C15U));
-        return *one;
+        const std::uint64_t first =
+            asked_.result.hidden ? case_seed("what they share", "", "", asked_.exercise.id, asked_.check.case_name, 0)
+                                 : asked_.result.seed;
+        return asked_sample(worker_, asked_, first ^ (place * 0x9E3779B97F4A7C15U));
     }
 
     Worker& worker_;
     const AskedCheck& asked_;
-    std::array<std::optional<AskedSample>, 1 + most_confirmed> samples_;
+    std::optional<AskedSample> seen_;
+    std::size_t next_ = 0;  ///< place of the first that was not seen
+    bool is_fixed_ = false;
+    std::array<std::optional<AskedSample>, most_confirmed> fresh_;
 };
 
 /// "the right answer is nothing" is what people say.
@@ -70,18 +114,18 @@ bool is_confirmed(const Condition& condition, Samples& samples, ToldSample Asked
     const ToldSample& seen = samples.seen().*of;
     std::size_t wrong = condition.wrong;
     std::size_t right = condition.right;
+    std::size_t confirmed = 0;
     for (std::size_t i = 1; i <= most_confirmed; ++i) {
         const ToldSample& fresh = samples.fresh(i).*of;
+        if (fresh.names != seen.names) return false;
         // Rare ones may not come again at all.
-        const bool none = fresh.names == seen.names && !has_both(fresh.wrong, 1);
-        if (none && i > least_confirmed) continue;
-        if (none || fresh.names != seen.names) return false;
+        if (!has_both(fresh.wrong, 1)) continue;
         if (!parts(condition, fresh.facts, fresh.wrong)) return false;
-        wrong += static_cast<std::size_t>(std::ranges::count(fresh.wrong, true));
-        right += static_cast<std::size_t>(std::ranges::count(fresh.wrong, false));
-        if (i >= least_confirmed && std::min(wrong, right) >= enough_answers) break;
+        wrong += wrong_in(fresh.wrong);
+        right += fresh.wrong.size() - wrong_in(fresh.wrong);
+        if (++confirmed >= least_confirmed && std::min(wrong, right) >= enough_answers) break;
     }
-    return true;
+    return confirmed >= least_confirmed;
 }
 
 /// The simplest condition that parts wrong ones from right ones, if it does so on fresh inputs too, or if there can be
@@ -92,8 +136,7 @@ std::optional<CommonCondition> condition_of(Samples& samples, ToldSample AskedSa
     if (seen.numbers.empty()) return std::nullopt;
     std::optional<Condition> condition = simplest_condition(seen.facts, seen.wrong);
     if (!condition) return std::nullopt;
-    const ToldSample& fresh = samples.fresh(1).*of;
-    const bool same = fresh.names == seen.names && fresh.numbers == seen.numbers;
+    const bool same = samples.is_fixed();
     // Where a case always asks the same, nothing can say that the bound is more than a number between them, nor that
     // one of the many entries of a right matrix has more to do with it than another.
     const bool by_chance =
@@ -116,20 +159,25 @@ std::optional<CommonCondition> common_condition(Samples& samples)
 /// What all wrong answers share, if it is so with fresh inputs too, so many that a chance would have shown.
 std::string common_answer(Samples& samples)
 {
-    const auto count = [](const AskedSample& one) {
-        return static_cast<std::size_t>(std::ranges::count_if(one.answers.answers, &AnswerPair::wrong));
-    };
     std::vector<std::string> patterns = answer_patterns(samples.seen().answers);
-    std::size_t wrong = count(samples.seen());
-    const bool same = !patterns.empty() && samples.fresh(1).by_answer.numbers == samples.seen().by_answer.numbers;
+    std::size_t wrong = wrong_in(samples.seen().answers);
+    const bool same = !patterns.empty() && samples.is_fixed();
+    std::optional<AskedSample> pending;
+    std::size_t confirmed = 0;
     for (std::size_t i = 1; i <= most_confirmed && !patterns.empty(); ++i) {
-        const AskedSample& fresh = samples.fresh(i);
-        if (i > least_confirmed && count(fresh) < least_wrong) continue;
+        AskedSample fresh = samples.fresh(i);
+        // Of few nothing can be told: they are looked at together.
+        if (pending && add(*pending, fresh)) fresh = *std::exchange(pending, std::nullopt);
+        if (wrong_in(fresh.answers) < least_wrong) {
+            pending = std::move(fresh);
+            continue;
+        }
         const std::vector<std::string> again = answer_patterns(fresh.answers);
         std::erase_if(patterns, [&](const std::string& one) { return std::ranges::find(again, one) == again.end(); });
-        wrong += count(fresh);
-        if (i >= least_confirmed && (same || wrong >= enough_answers)) break;
+        wrong += wrong_in(fresh.answers);
+        if (++confirmed >= least_confirmed && (same || wrong >= enough_answers)) break;
     }
+    if (confirmed == 0) patterns.clear();
     return patterns.empty() ? "" : patterns.front();
 }
 

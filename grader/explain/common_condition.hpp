@@ -22,8 +22,8 @@ struct InCommon {
     std::string answer{};
 };
 
-/// Holds only what is so on fresh inputs too, or where there can be no others. Nothing of hidden cases, whose student's
-/// code is not run again.
+/// Holds only what is so on fresh inputs too, or where there can be no others. Of a hidden case only fresh inputs are
+/// asked, which are the same for everybody: nothing is told of those that were graded.
 [[nodiscard]] InCommon find_in_common(Worker& worker, const AskedCheck& asked);
 
 /// "wrong wherever ray.t_min is positive (50 of 50), right everywhere else (350 of 350); every wrong answer is always

@@ -109,7 +109,8 @@ public:
             if (const auto question = first_wrong_group(asked))
                 shown_.push_back({{*question, 1}, &result.first_difference->question});
         // What wrong answers share says nothing of the cause then.
-        result.common = alone ? right_alone : sentence_of(find_in_common(worker_, asked));
+        std::string& shared = one_.hidden ? result.practice : result.common;
+        shared = alone ? right_alone : sentence_of(find_in_common(worker_, asked));
     }
 
     /// Asks for the code of all that is shown.

@@ -41,7 +41,8 @@ struct CheckResult {
     std::map<std::string, double> metrics;  ///< finite numbers only
     std::optional<Difference> first_difference;
     std::string common{};  ///< "wrong wherever …": what all questions with wrong answers share; empty if nothing does
-    bool beside = false;   ///< right where the case is asked alone, and wrong only with other questions in between
+    std::string practice{};  ///< the same of a hidden check, about inputs that are not graded and the same for all
+    bool beside = false;     ///< right where the case is asked alone, and wrong only with other questions in between
     std::optional<Difference> simplest{};  ///< a wrong value with a question that is simpler than the first one's;
                                            ///< `where` says which of its numbers, or nothing
     std::string

@@ -74,7 +74,7 @@ CheckResult check(const Field& field)
                       "message",   "metrics",  "first_difference",
                       "common",    "beside",   "simplest",
                       "about",     "headline", "sketch",
-                      "artefacts", "seeds"});
+                      "artefacts", "seeds",    "practice"});
     CheckResult result;
     result.name = text(field.member("name"));
     result.kind = kind(field.member("kind"));
@@ -92,6 +92,7 @@ CheckResult check(const Field& field)
     result.first_difference = difference(field.member("first_difference"));
     if (const Field simplest = field.member("simplest"); simplest.given()) result.simplest = difference(simplest);
     if (const Field common = field.member("common"); common.given()) result.common = text(common);
+    if (const Field practice = field.member("practice"); practice.given()) result.practice = text(practice);
     if (const Field beside = field.member("beside"); beside.given()) result.beside = beside.boolean();
     if (const Field about = field.member("about"); about.given()) result.about = text(about);
     if (const Field headline = field.member("headline"); headline.given()) result.headline = text(headline);

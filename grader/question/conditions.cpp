@@ -21,10 +21,13 @@ Condition measured(const PossibleCondition& candidate, const std::vector<Fact>& 
     return condition;
 }
 
+/// Where few are wrong, those few right ones for which it holds would be as many.
 bool parted(const Condition& one)
 {
+    constexpr std::size_t most_of_wrong = 9;
     return static_cast<double>(one.wrong_where) >= least_parted * static_cast<double>(one.wrong) &&
-           static_cast<double>(one.right - one.right_where) >= least_parted * static_cast<double>(one.right);
+           static_cast<double>(one.right - one.right_where) >= least_parted * static_cast<double>(one.right) &&
+           one.right_where * most_of_wrong <= one.wrong_where;
 }
 
 /// Best of two that part: the fewest exceptions, where that makes a difference, and the least far-fetched.
@@ -78,7 +81,7 @@ void offer_joined(const std::vector<PossibleCondition>& candidates, const std::v
                 joining + a.cost + b.cost, a.fitted || b.fitted, a.of_answer || b.of_answer};
             Condition joined = measured(both, facts, wrong);
             // Each must be needed, and together they must hold without exception: two say more by chance than one.
-            const std::size_t needed = std::max(least_questions, joined.right / 10);
+            const std::size_t needed = std::max(least_questions, std::min(joined.right / 10, joined.wrong / 2));
             const bool each_needed = wide[i].first.right_where >= joined.right_where + needed &&
                                      wide[j].first.right_where >= joined.right_where + needed;
             if (each_needed && joined.right_where == 0 && joined.wrong_where == joined.wrong)
@@ -133,9 +136,7 @@ bool parts(const Condition& condition, const std::vector<Fact>& facts, const std
 std::optional<Condition> simplest_condition(const std::vector<Fact>& facts, const std::vector<bool>& wrong)
 {
     const auto count = static_cast<std::size_t>(std::ranges::count(wrong, true));
-    // Of very few among very many, anything is true.
-    const std::size_t least = std::max(least_questions, wrong.size() / 20);
-    if (count < least || wrong.size() - count < least) return std::nullopt;
+    if (count < least_questions || wrong.size() - count < least_questions) return std::nullopt;
     const std::vector<PossibleCondition> all = possible_conditions(facts, wrong);
     Found found;
     for (const PossibleCondition& candidate : all) found.offer(measured(candidate, facts, wrong), candidate.cost);

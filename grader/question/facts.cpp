@@ -36,6 +36,19 @@ double sine(const std::vector<double>& row, const VectorColumns& a, const Vector
     return std::sqrt(std::max(0.0, 1 - ab * ab / (aa * bb)));
 }
 
+/// The least or the largest coordinate of a vector; NaN if one is no number.
+template <class Best>
+double extreme(const std::vector<double>& row, const VectorColumns& a, const Best& best)
+{
+    double found = row[a.first];
+    for (std::size_t i = 0; i < a.size; ++i) {
+        const double one = row[a.first + i];
+        if (std::isnan(one)) return one;
+        found = best(found, one);
+    }
+    return found;
+}
+
 template <class Value>
 Fact fact(std::string words, Fact::Kind kind, const QuestionTable& table, const Value& value)
 {
@@ -83,6 +96,13 @@ std::vector<Fact> facts_of(const QuestionTable& table)
         facts.push_back(fact("the length of " + a.words, Fact::Kind::length, table,
                              [&](const auto& row) { return std::sqrt(dot(row, a, a)); }));
         facts.back().answer = a.first >= table.answers;
+        const auto add_coordinate = [&](const std::string& which, const auto& best) {
+            facts.push_back(fact(fmt::format("the {} coordinate of {}", which, a.words), Fact::Kind::coordinate, table,
+                                 [&](const auto& row) { return extreme(row, a, best); }));
+            facts.back().answer = a.first >= table.answers;
+        };
+        add_coordinate("least", [](double x, double y) { return std::min(x, y); });
+        add_coordinate("largest", [](double x, double y) { return std::max(x, y); });
         for (std::size_t j = i + 1; j < std::min(vectors.size(), most_vectors); ++j) {
             const VectorColumns& b = vectors[j];
             if (a.size != b.size || b.first >= table.answers) continue;

@@ -12,8 +12,8 @@ namespace umbral::grader {
 /// A number that can be told of each of several questions, in words: "the length of ray.direction".
 struct Fact {
     /// What may be compared: numbers of the question itself, lengths and distances with each other, products of vectors
-    /// with 0.
-    enum class Kind { number, length, product, parallel };
+    /// and their coordinates with 0 or a bound.
+    enum class Kind { number, length, product, parallel, coordinate };
 
     std::string words;
     Kind kind = Kind::number;
@@ -45,7 +45,8 @@ struct VectorColumns {
 /// The vectors among numbers that are called so: "ray.origin.x", "ray.origin.y" …
 [[nodiscard]] std::vector<VectorColumns> vectors_in(const std::vector<std::string>& names);
 
-/// All that is told of the questions: their numbers, the lengths of vectors, distances and products between two.
+/// All that is told of the questions: their numbers, the lengths, least and largest coordinates of vectors, distances
+/// and products between two.
 [[nodiscard]] std::vector<Fact> facts_of(const QuestionTable& table);
 
 }

@@ -18,6 +18,23 @@ PossibleCondition of_one(std::string words, std::size_t fact, int cost, bool (*t
 }
 
 bool is_finite(double x) { return std::isfinite(x); }
+bool is_minus_zero(double x) { return x == 0 && std::signbit(x); }
+
+/// Of conditions that say the same, the one about the question's own numbers is said.
+int cost_of(const Fact& fact)
+{
+    if (fact.first) return -1;
+    if (fact.component) return 3;
+    switch (fact.kind) {
+        case Fact::Kind::number: return 0;
+        case Fact::Kind::length: return 1;
+        case Fact::Kind::coordinate: return 4;
+        // Of a product that is 0, the vector that is 0 is the reason, where there is one.
+        case Fact::Kind::product:
+        case Fact::Kind::parallel: break;
+    }
+    return 2;
+}
 
 /// Of a number that stands for a word: "rule is even_odd", "closed is true".
 void add_named(const std::vector<Fact>& facts, std::size_t i, std::vector<PossibleCondition>& all)
@@ -44,9 +61,7 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
     const Fact& fact = facts[i];
     if (!fact.value_names.empty()) return add_named(facts, i, all);
     const std::string& words = fact.words;
-    // Of a product that is 0, the vector that is 0 is the reason, where there is one.
-    const bool plain = fact.kind == Fact::Kind::number;
-    const int cost = fact.first ? -1 : fact.component ? 3 : plain ? 0 : fact.kind == Fact::Kind::length ? 1 : 2;
+    const int cost = cost_of(fact);
     if (fact.kind == Fact::Kind::parallel) {
         // Of some it may be true up to a rounding only, which can be what matters.
         constexpr double rounding = 1e-15;
@@ -63,10 +78,16 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
     all.push_back(of_one(words + " is finite", i, cost + 1, is_finite));
     all.push_back(of_one(words + " is 0", i, cost, [](double x) { return x == 0; }));
     all.push_back(of_one(words + " is not 0", i, cost, [](double x) { return x != 0; }));
+    if (fact.kind == Fact::Kind::number) {
+        all.push_back(of_one(words + " is -0", i, cost + 1, is_minus_zero));
+        all.push_back(of_one(words + " is no number", i, cost + 1, [](double x) { return std::isnan(x); }));
+        all.push_back(of_one(words + " is infinite", i, cost + 1, [](double x) { return std::isinf(x); }));
+    }
     all.push_back(of_one(words + " is negative", i, cost, [](double x) { return x < 0; }));
     all.push_back(of_one(words + " is 0 or negative", i, cost + 1, [](double x) { return x <= 0; }));
     if (fact.kind == Fact::Kind::product) return;
     all.push_back(of_one(words + " is positive", i, cost, [](double x) { return x > 0; }));
+    if (fact.kind == Fact::Kind::coordinate) return;
     all.push_back(of_one(words + " is 1", i, cost + 1, [](double x) { return std::abs(x - 1) < alike; }));
     all.push_back(of_one(words + " is not 1", i, cost + 1, [](double x) { return !(std::abs(x - 1) < alike); }));
     const bool whole =
@@ -119,7 +140,8 @@ void add_threshold(const std::vector<Fact>& facts, std::size_t i, const std::vec
     }
     if (best == 0) return;
     const double bound = between(sorted[best - 1].value, sorted[best].value);
-    const int cost = (fact.component ? 5 : 4) + (fact.kind == Fact::Kind::number ? 0 : 1);
+    const bool coordinate = fact.component || fact.kind == Fact::Kind::coordinate;
+    const int cost = (coordinate ? 5 : 4) + (fact.kind == Fact::Kind::number ? 0 : 1);
     all.push_back({fmt::format("{} is {} {:.6g}", fact.words, best_below ? "less than" : "at least", bound),
                    [i, bound, best_below](const std::vector<Fact>& others, std::size_t question) {
                        // What is not a number is neither.

@@ -156,6 +156,9 @@ void add_others(Block& block, const UnitResult& unit, const std::vector<const Ch
         // Once for all that a line of the statement is about.
         const bool last = i + 1 == hidden.size() || hidden[i + 1]->about != hidden[i]->about;
         if (last && !hidden[i]->about.empty()) block.sentence("", "Looks at: " + hidden[i]->about);
+        const bool told = std::any_of(hidden.begin(), hidden.begin() + static_cast<std::ptrdiff_t>(i),
+                                      [&](const CheckResult* other) { return other->practice == hidden[i]->practice; });
+        if (!told && !hidden[i]->practice.empty()) block.sentence("", "On practice inputs: " + hidden[i]->practice);
     }
 }
 

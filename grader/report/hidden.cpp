@@ -26,6 +26,7 @@ SubmissionResult without_hidden_values(SubmissionResult submission)
                          .metrics = {},
                          .first_difference = {},
                          .common = {},
+                         .practice = std::move(check.practice),
                          .simplest = {},
                          .sketch = {},
                          .artefacts = {},

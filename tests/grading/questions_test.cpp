@@ -97,6 +97,22 @@ TEST_F(Questions, of_hidden_checks_reach_instructors_only)
     EXPECT_FALSE(check(shown.units.front(), "random/t").first_difference);
 }
 
+// What students are told of a hidden check is seen on inputs that are no secret: whatever that is, they are the same.
+TEST_F(Questions, of_practice_inputs_tell_students_where_a_hidden_check_goes_wrong)
+{
+    const std::string from = "return t;";
+    const std::string to = "return ray.direction.x < 0 ? 1.001F * t : t;";
+    const std::string told = check(grade(from, to), "random/t").practice;
+    EXPECT_TRUE(told.starts_with("wrong wherever something is to be found and ray.direction.x is negative (")) << told;
+    EXPECT_NE(told.find("every wrong answer is 1.001 times the right one"), std::string::npos) << told;
+    GradeOptions options;
+    options.seeds.secret = "another";
+    const UnitResult other = grade(from, to, options);
+    EXPECT_EQ(check(other, "random/t").practice, told);
+    const SubmissionResult shown = without_hidden_values({"ada", 0, 0, {other}, {}});
+    EXPECT_EQ(check(shown.units.front(), "random/t").practice, told);
+}
+
 TEST_F(Questions, two_known_mistakes_at_once_are_both_told)
 {
     const std::filesystem::path file = exercise.folder / "alternatives" / "double_precision.cpp";

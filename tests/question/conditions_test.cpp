@@ -159,6 +159,35 @@ TEST(Conditions, say_nothing_about_chance)
     EXPECT_EQ(said, 0);
 }
 
+// An unforeseen bug shows in few of many questions: what is true of them may be true of hardly any other.
+TEST(Conditions, of_few_wrong_ones_leave_out_the_right_ones)
+{
+    QuestionTable table{{"size.x", "size.y", "scale"}, {}};
+    for (int i = 0; i < 400; ++i)
+        table.numbers.push_back({i < 5 ? 0.0 : 1.0 + i % 7, i < 10 ? 3.0 : 1.0 + i % 5, i < 12 ? -0.0 : i * 1.0});
+    const auto first = [&](std::size_t count) {
+        std::vector<bool> wrong(400, false);
+        std::fill_n(wrong.begin(), count, true);
+        return words(table, wrong);
+    };
+    EXPECT_EQ(first(5), "size.x is 0");
+    EXPECT_EQ(first(12), "scale is 0");
+    // It holds for 12, of which 8 are right.
+    table.numbers.front()[0] = 1;
+    for (std::vector<double>& row : table.numbers) row[0] += 1;
+    EXPECT_EQ(first(4), "nothing");
+}
+
+TEST(Conditions, tell_minus_zero_and_the_least_coordinate)
+{
+    QuestionTable table{{"window.x", "window.y", "shift"}, {}};
+    for (int i = 0; i < 60; ++i)
+        table.numbers.push_back({i % 6 == 0 ? 0.0 : 2.0 + i, i % 6 == 3 ? 0.0 : 90.0 - i, i % 4 == 0 ? -0.0 : 0.0});
+    EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return row[0] == 0 || row[1] == 0; })),
+              "the least coordinate of window is 0");
+    EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return std::signbit(row[2]); })), "shift is -0");
+}
+
 TEST(Conditions, need_four_of_either)
 {
     QuestionTable table{{"x"}, {{-1}, {-2}, {-3}, {1}, {2}, {3}, {4}}};

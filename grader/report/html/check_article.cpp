@@ -119,6 +119,8 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
     if (!check.about.empty()) result += markup("<p class=\"about\"><span>Looks at:</span> {}</p>\n", check.about);
     if (!check.message.empty()) result += markup("<p class=\"message\">{}</p>\n", shown_message(check, detail));
     if (!check.common.empty()) result += markup("<p class=\"common\">{}</p>\n", sentence(check.common));
+    if (!check.practice.empty())
+        result += markup("<p class=\"common\">{}</p>\n", sentence("on practice inputs: " + check.practice));
     result += simplest(check);
     if (std::holds_alternative<std::monostate>(detail.evidence)) result += first_difference(check);
     if (!std::holds_alternative<RowsEvidence>(detail.evidence)) result += question(check);
