@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <umbral/record/variation.hpp>
 #include <utility>
 
 #include "explain/asked_sample.hpp"
@@ -75,12 +76,15 @@ public:
     }
 
 private:
+    /// Fresh inputs vary what is written down in a driver, too: what is so of the one scene that it draws may be so by
+    /// chance.
     [[nodiscard]] AskedSample asked_at(std::size_t place) const
     {
-        const std::uint64_t first =
-            asked_.result.hidden ? case_seed("what they share", "", "", asked_.exercise.id, asked_.check.case_name, 0)
-                                 : asked_.result.seed;
-        return asked_sample(worker_, asked_, first ^ (place * 0x9E3779B97F4A7C15U));
+        if (place == 0 && !asked_.result.hidden) return asked_sample(worker_, asked_, asked_.result.seed);
+        const std::uint64_t first = asked_.result.hidden
+                                        ? case_seed("practice", "", "", asked_.exercise.id, asked_.check.case_name, 0)
+                                        : asked_.result.seed;
+        return asked_sample(worker_, asked_, VariedSeed::with_mark(first ^ (place * 0x9E3779B97F4A7C15U)));
     }
 
     Worker& worker_;

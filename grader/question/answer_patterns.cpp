@@ -12,6 +12,7 @@
 
 #include "question/alike.hpp"
 #include "question/answer_relations.hpp"
+#include "question/nearly_right.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -239,26 +240,23 @@ std::string place_of(const AnswerTable& table, const std::vector<std::size_t>& w
                              : fmt::format("differs in nothing but {}", fmt::join(names, ", "));
 }
 
+/// What is so of the numbers of an answer, the most telling first.
 void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<std::string>& found)
 {
     const std::vector<std::size_t> which = wrong_components(wrong, table.components);
-    if (which.empty()) return;
-    if (table.components == 1) {
-        if (const auto change = change_of(table, wrong, 0)) found.push_back("is " + *change);
-        return;
-    }
+    const auto change = which.size() == 1 ? change_of(table, wrong, which.front()) : std::nullopt;
     if (which.size() > 1 && table.components <= 4) {
         WrongVectors vectors = wrong_vectors(table, wrong, 0, table.components);
         if (table.columns.size() == table.components) vectors.names = table.columns;
         if (auto relation = relation_of(vectors, table.facts)) found.push_back(std::move(*relation));
     }
     if (which.size() > 1) add_matrix_columns(table, wrong, which, found);
-    const std::string place = place_of(table, which);
-    if (place.empty()) return;
-    if (which.size() == 1)
-        if (const auto change = change_of(table, wrong, which.front()))
-            found.push_back(fmt::format("{}, which is {}", place, *change));
-    found.push_back(place);
+    const std::string place = table.components == 1 ? "" : place_of(table, which);
+    if (change && table.components == 1) found.push_back("is " + *change);
+    if (change && !place.empty()) found.push_back(fmt::format("{}, which is {}", place, *change));
+    if (are_nearly_right(wrong))
+        found.push_back(place.empty() ? nearly_right : fmt::format("{}, and {}", place, nearly_right));
+    if (!place.empty()) found.push_back(place);
 }
 
 }

@@ -1,4 +1,5 @@
 #include "question/answer_patterns.hpp"
+#include "question/nearly_right.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,6 +56,30 @@ TEST(AnswerPatterns, say_which_number_of_a_row_differs)
     const auto moved = [](Row right) { return Row{right[0], right[1] - 3, right[2]}; };
     EXPECT_EQ(first(table(3, moved)), "differs in y only, which is the right one minus 3");
     EXPECT_EQ(first(table(3, [](Row right) { return Row{right[0] * right[0], right[1] * right[1], right[2]}; })), "");
+}
+
+// What is lost by float, by constants of few digits or by differences has no simpler pattern.
+TEST(AnswerPatterns, say_of_small_errors_that_digits_are_lost)
+{
+    const auto lost = [](std::size_t components, double much) {
+        return first(table(components, [much](Row right) {
+            for (double& x : right) x += much * x * std::sin(1e3 * x);
+            return right;
+        }));
+    };
+    for (const double much : {1e-9, 1e-6, 1e-3})
+        for (const std::size_t components : {1U, 3U, 16U})
+            EXPECT_EQ(lost(components, much), nearly_right) << much << ", " << components << " numbers";
+    EXPECT_EQ(lost(3, 0.3), "");
+    const auto one = [](Row right) { return Row{right[0], right[1], right[2] + 1e-3 * std::sin(1e3 * right[0])}; };
+    EXPECT_EQ(first(table(3, one)), std::string("differs in z only, and ") + nearly_right);
+    // A count that is one too large is no matter of digits.
+    AnswerTable counts{1, 0, {}, {}, {}};
+    for (int i = 0; i < 12; ++i) {
+        const double right = 1000.0 + 7 * i;
+        counts.answers.push_back({{right + (i % 3 == 0 ? 1.0 : -2.0)}, {right}, true});
+    }
+    EXPECT_EQ(first(counts), "");
 }
 
 TEST(AnswerPatterns, do_not_say_that_all_differs_but_what_a_row_is_about)
