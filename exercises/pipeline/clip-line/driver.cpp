@@ -1,28 +1,15 @@
-#include <bit>
 #include <kit/varied.hpp>
 #include <limits>
 #include <umbral/record/driver.hpp>
 
 #include "../support.hpp"
 #include "chords.hpp"
+#include "segments.hpp"
 
 namespace umbral {
 namespace {
 
 using namespace pipeline;
-
-struct Task {
-    ClipWindow window;
-    LineSegment segment;
-    float unit = 1;  ///< what coordinates are multiplied by for the unit, and divided by afterwards; a power of two
-};
-
-// What the unit is asked.
-Task in_unit(const Task& task)
-{
-    const auto& [window, segment, unit] = task;
-    return {{unit * window.low, unit * window.high}, {unit * segment.from, unit * segment.to}};
-}
 
 // The four numbers of what is left, or four times nothing.
 std::array<std::optional<float>, 4> ends(Recorder& out, const Task& task)
@@ -61,13 +48,6 @@ std::vector<Task> varied(Variation& vary, std::vector<Task> tasks)
         unit = other_unit(vary, 8);
     }
     return in_random_order(vary, std::move(tasks));
-}
-
-void add_pair(std::vector<Task>& tasks, const Task& one, const Task& other, Random& random)
-{
-    const bool swapped = random.below(2) == 0;
-    tasks.push_back(swapped ? other : one);
-    tasks.push_back(swapped ? one : other);
 }
 
 // All nine regions, the borders between them, and places one ulp beside those.
@@ -151,88 +131,25 @@ std::vector<Task> borders()
     return tasks;
 }
 
-ClipWindow random_window(Random& random)
+// On which borders of the window a point lies exactly, as bits: those of region_code.
+float borders_at(const ClipWindow& window, const glm::vec2& point)
 {
-    const glm::vec2 middle(random.in_cube());
-    return {middle - random.uniform(0.25F, 1), middle + random.uniform(0.25F, 1)};
+    const int across = (point.x == window.low.x ? 1 : 0) + (point.x == window.high.x ? 2 : 0);
+    return static_cast<float>(across + (point.y == window.low.y ? 4 : 0) + (point.y == window.high.y ? 8 : 0));
 }
 
-// One time in four along an axis.
-glm::vec2 direction(Random& random)
-{
-    const std::uint32_t axis = random.below(16);
-    const float turn = random.uniform(0, 6.2831853F);
-    if (axis < 4) return (axis % 2 == 0 ? 1.0F : -1.0F) * (axis < 2 ? glm::vec2(1, 0) : glm::vec2(0, 1));
-    return {std::cos(turn), std::sin(turn)};
-}
-
-// A segment through the inner part of the window, and one with no point in it that no code rejects at once, as long as
-// `reach` windows or less, in a unit from 2^smallest to 2^largest.
-void add_random_pair(std::vector<Task>& tasks, Random& random, float reach, int smallest, int largest)
-{
-    const ClipWindow window = random_window(random);
-    const glm::vec2 half = 0.5F * (window.high - window.low);
-    const glm::vec2 middle = window.low + half;
-    const glm::vec2 through = middle + 0.8F * half * glm::vec2(random.in_cube());
-    const glm::vec2 along = direction(random);
-    const float back = random.below(3) == 0 ? 0 : reach * random.uniform();
-    LineSegment hit{through - back * along, through + reach * random.uniform() * along};
-    // Sometimes a point, in the window or on its border.
-    const std::uint32_t place = random.below(40);
-    const glm::vec2 border(place % 2 == 0 ? window.low.x : window.high.x, through.y);
-    if (place < 3) hit = place < 2 ? LineSegment{border, border} : LineSegment{through, through};
-
-    const glm::vec2 quadrant(random.below(2) == 0 ? 1 : -1, random.below(2) == 0 ? 1 : -1);
-    const glm::vec2 past = middle + random.uniform(1.15F, 1.6F) * half * quadrant;
-    const float steepness = random.uniform(0.1F, 0.9F);
-    const glm::vec2 aside = quadrant * glm::vec2(steepness, steepness - 1);
-    const float before = reach * random.uniform(0.2F, 1);
-    const LineSegment miss{past - before * aside, past + reach * random.uniform(0.2F, 1) * aside};
-    const bool turned = random.below(2) == 0;
-    const float unit = random_unit(random, smallest, largest);
-    add_pair(tasks, {window, hit, unit}, {window, turned ? LineSegment{miss.to, miss.from} : miss, unit}, random);
-}
-
-std::vector<Task> random_pairs(Random& random, int count, float reach, int smallest = -26, int largest = 12)
-{
-    std::vector<Task> tasks;
-    for (int i = 0; i < count; ++i) add_random_pair(tasks, random, reach, smallest, largest);
-    return tasks;
-}
-
-// Segments as long as a thousand windows that pass a corner on this side of it or on that one, by less than a
-// ten-thousandth of a pixel.
-std::vector<Task> corner_pairs(Random& random, int count)
-{
-    std::vector<Task> tasks;
-    const ClipWindow window{{-320, -240}, {320, 240}};
-    for (int i = 0; i < count; ++i) {
-        const glm::i64vec2 quadrant(random.below(2) == 0 ? 1 : -1, random.below(2) == 0 ? 1 : -1);
-        const glm::i64vec2 corner = quadrant * glm::i64vec2(320, 240);
-        // Coprime, so that there is a whole vector beside it; from the outside of one border towards the outside of the
-        // other one.
-        glm::i64vec2 u(20'000 + random.below(400'000), 20'000 + random.below(400'000));
-        while (std::gcd(u.x, u.y) != 1) ++u.y;
-        u *= quadrant * glm::i64vec2(1, -1);
-        const std::int64_t k = 1 + random.below(3);
-        // The corner lies to one side of the line if the whole vector turns to the other. Inside is towards the middle,
-        // at -quadrant.
-        const std::int64_t inwards = quadrant.x * quadrant.y > 0 ? -k : k;
-        const auto task = [&](std::int64_t turn) {
-            return Task{window, {glm::vec2(corner - u), glm::vec2(corner + nearly_along(u, turn))}};
-        };
-        add_pair(tasks, task(inwards), task(-inwards), random);
-    }
-    return tasks;
-}
-
-// Each segment and its reverse: which of the four ends is the first one with the same bits.
+// Each segment and its reverse: which of the four ends is the first one with the same bits, and on which borders they
+// lie.
 void record_both_ways(Random& random, Recorder& out)
 {
-    const std::vector<Task> tasks = random_pairs(random, 200, 6);
-    out.text("first.names", "segment: end, -");
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-        const auto& [window, segment, unit] = in_unit(tasks[i]);
+    std::vector<Task> tasks = random_pairs(random, 200, 6);
+    for (const Task& task : hair_outside(random, 120)) tasks.push_back(task);
+    out.columns("first", "the first end with its bits (0: there.from; 1: there.to; 2: back.from; 3: back.to)");
+    out.columns("border",
+                "the borders that it lies on (0: none; 1: left; 2: right; 4: below; 5: left and below; 6: right and "
+                "below; 8: above; 9: left and above; 10: right and above)");
+    for (const Task& task : tasks) {
+        const auto& [window, segment, unit] = in_unit(task);
         const LineSegment reversed{segment.to, segment.from};
         ask_in_words(out, [&] {
             const auto call = [&](const LineSegment& one) {
@@ -243,12 +160,13 @@ void record_both_ways(Random& random, Recorder& out)
         });
         const std::optional<LineSegment> there = clip_segment(window, segment);
         const std::optional<LineSegment> back = clip_segment(window, reversed);
-        if (!there || !back) continue;
-        const std::array four = {there->from, there->to, back->from, back->to};
-        for (std::size_t k = 0; k < four.size(); ++k) {
-            const auto first = std::find(four.begin(), four.end(), four[k]) - four.begin();
-            out.append("first", std::span<const float>(std::array{static_cast<float>(i), static_cast<float>(k), 0.0F,
-                                                                  static_cast<float>(first)}));
+        const bool both = there && back;
+        const std::array four =
+            both ? std::array{there->from, there->to, back->from, back->to} : std::array<glm::vec2, 4>{};
+        for (const glm::vec2& end : four) {
+            const auto first = static_cast<float>(std::find(four.begin(), four.end(), end) - four.begin());
+            out.append("first", both ? std::optional(first) : std::nullopt);
+            out.append("border", both ? std::optional(borders_at(window, end)) : std::nullopt);
         }
     }
 }
@@ -261,8 +179,12 @@ const Driver driver = {
     {"borders", [](Case& c, Recorder& out) { record(out, varied(c.vary, borders())); }},
     {"random", [](Case& c, Recorder& out) { record_pairs(out, random_pairs(c.random, 400, 6)); }},
     {"both ways", [](Case& c, Recorder& out) { record_both_ways(c.random, out); }},
-    {"long", [](Case& c, Recorder& out) { record_pairs(out, random_pairs(c.random, 300, 5e5F, -90, 90)); }},
-    {"corners", [](Case& c, Recorder& out) { record_pairs(out, corner_pairs(c.random, 300)); }},
+    {"long", [](Case& c, Recorder& out) { record_pairs(out, some_huge(random_pairs(c.random, 300, 5e5F, -90, 90))); }},
+    {"corners",
+     [](Case& c, Recorder& out) {
+         record_pairs(out, corner_pairs(c.random, 300));
+         record_pairs(out, origin_pairs(c.random, 100));
+     }},
     {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_chords(out, c.vary)); }},
 };
 

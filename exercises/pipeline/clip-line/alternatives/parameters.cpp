@@ -17,8 +17,13 @@ std::optional<LineSegment> clip_segment(const ClipWindow& window, const LineSegm
     const bool turned = std::pair(segment.to.x, segment.to.y) < std::pair(segment.from.x, segment.from.y);
     const glm::vec2 a = turned ? segment.to : segment.from;
     const glm::vec2 b = turned ? segment.from : segment.to;
-    double first = 0;
-    double last = 1;
+    struct Place {
+        double t;
+        int axis;  // of the border that it lies on; -1: an end of the segment
+        float border;
+    };
+    Place first{0, -1, 0};
+    Place last{1, -1, 0};
     for (int axis = 0; axis < 2; ++axis) {
         const double start = a[axis];
         const double step = double{b[axis]} - start;
@@ -27,17 +32,19 @@ std::optional<LineSegment> clip_segment(const ClipWindow& window, const LineSegm
         const double high = window.high[axis];
         if (step == 0 && (start < low || start > high)) return std::nullopt;
         if (step == 0) continue;
-        const double at_low = (low - start) / step;
-        const double at_high = (high - start) / step;
-        first = std::max(first, std::min(at_low, at_high));
-        last = std::min(last, std::max(at_low, at_high));
+        const Place at_low{(low - start) / step, axis, window.low[axis]};
+        const Place at_high{(high - start) / step, axis, window.high[axis]};
+        const Place& enters = step > 0 ? at_low : at_high;
+        const Place& leaves = step > 0 ? at_high : at_low;
+        if (enters.t > first.t) first = enters;
+        if (leaves.t < last.t) last = leaves;
     }
-    if (first > last) return std::nullopt;
-    const auto at = [&](double t) {
-        if (t == 0) return a;
-        if (t == 1) return b;
-        const glm::dvec2 point = (1 - t) * glm::dvec2(a) + t * glm::dvec2(b);
-        return glm::clamp(glm::vec2(point), window.low, window.high);
+    if (first.t > last.t) return std::nullopt;
+    const auto at = [&](const Place& place) {
+        if (place.axis < 0) return place.t == 0 ? a : b;
+        glm::vec2 point((1 - place.t) * glm::dvec2(a) + place.t * glm::dvec2(b));
+        point[place.axis] = place.border;
+        return glm::clamp(point, window.low, window.high);
     };
     return turned ? LineSegment{at(last), at(first)} : LineSegment{at(first), at(last)};
 }
