@@ -11,29 +11,19 @@ namespace {
 
 using namespace pipeline;
 
-// The four numbers of what is left, or four times nothing.
-std::array<std::optional<float>, 4> ends(Recorder& out, const Task& task)
+// Both ends of what is left.
+std::optional<glm::vec4> ends(Recorder& out, const Task& task)
 {
     const Task asked = in_unit(task);
     const std::optional<LineSegment> left = ask<clip_segment>(out, asked.window, asked.segment);
-    if (!left) return {};
-    const glm::vec2 from = left->from / task.unit;
-    const glm::vec2 to = left->to / task.unit;
-    return {from.x, from.y, to.x, to.y};
+    if (!left) return std::nullopt;
+    return glm::vec4(left->from / task.unit, left->to / task.unit);
 }
 
 void record(Recorder& out, const std::vector<Task>& tasks)
 {
-    for (const Task& task : tasks)
-        for (const std::optional<float>& number : ends(out, task)) out.append("ends", number);
-}
-
-// Tasks 2k and 2k + 1 are a pair: each number of one stands beside that of the other, so that each is asked for alone.
-void record_pairs(Recorder& out, const std::vector<Task>& tasks)
-{
-    for (std::size_t i = 0; i + 1 < tasks.size(); i += 2)
-        for (std::size_t k = 0; k < 4; ++k)
-            for (const std::size_t task : {i, i + 1}) out.append("ends", ends(out, tasks[task])[k]);
+    out.columns("ends", "from.x, from.y, to.x, to.y");
+    for (const Task& task : tasks) out.append("ends", ends(out, task));
 }
 
 /// Tasks that are written down, mirrored or turned, in a unit of their own, in another order.
@@ -177,13 +167,13 @@ const Driver driver = {
     {"codes", [](Case& c, Recorder& out) { record_codes(c.vary, out); }},
     {"by hand", [](Case& c, Recorder& out) { record(out, varied(c.vary, by_hand())); }},
     {"borders", [](Case& c, Recorder& out) { record(out, varied(c.vary, borders())); }},
-    {"random", [](Case& c, Recorder& out) { record_pairs(out, random_pairs(c.random, 400, 6)); }},
+    {"random", [](Case& c, Recorder& out) { record(out, random_pairs(c.random, 400, 6)); }},
     {"both ways", [](Case& c, Recorder& out) { record_both_ways(c.random, out); }},
-    {"long", [](Case& c, Recorder& out) { record_pairs(out, some_huge(random_pairs(c.random, 300, 5e5F, -90, 90))); }},
+    {"long", [](Case& c, Recorder& out) { record(out, some_huge(random_pairs(c.random, 300, 5e5F, -90, 90))); }},
     {"corners",
      [](Case& c, Recorder& out) {
-         record_pairs(out, corner_pairs(c.random, 300));
-         record_pairs(out, origin_pairs(c.random, 100));
+         record(out, corner_pairs(c.random, 300));
+         record(out, origin_pairs(c.random, 100));
      }},
     {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_chords(out, c.vary)); }},
 };
