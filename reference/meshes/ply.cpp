@@ -54,6 +54,9 @@ template <class Number>
 std::optional<double> parsed(std::string_view word)
 {
     if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
+    // Types without negative numbers have a -0 all the same.
+    if (std::is_unsigned_v<Number> && word.starts_with("-0") && word.find_first_not_of('0', 1) == word.npos)
+        word.remove_prefix(1);
     Number number{};
     const char* const last = word.data() + word.size();
     const auto [end, error] = std::from_chars(word.data(), last, number);
@@ -104,6 +107,12 @@ public:
     /// The next number: a double holds the values of all types exactly.
     double number(PlyType type) { return binary_ ? bytes(type) : decimal(type); }
 
+    /// The number that came last, as it stands in the file.
+    [[nodiscard]] std::string shown(double number) const
+    {
+        return binary_ ? std::to_string(number) : std::string(last_word_);
+    }
+
     void end_data()
     {
         if (binary_) place_ = next_;
@@ -114,7 +123,9 @@ public:
     [[noreturn]] void refuse(PlyProblem problem, const char* expected, std::string_view got = {}) const
     {
         std::string text = (binary_ ? "byte " : "line ") + std::to_string(place_) + ": expected " + expected;
-        if (!got.empty()) text += ", got '" + std::string(got.substr(0, 40)) + "'";
+        // Numbers are told in full, lines are not.
+        const bool is_number = problem == PlyProblem::number || problem == PlyProblem::index;
+        if (!got.empty()) text += ", got '" + std::string(got.substr(0, is_number ? got.npos : 40)) + "'";
         throw PlyError(problem, place_, text);
     }
 
@@ -128,7 +139,7 @@ private:
 
     double decimal(PlyType type)
     {
-        const std::string_view text = word();
+        const std::string_view text = last_word_ = word();
         if (text.empty()) refuse(PlyProblem::line_length, "more numbers", line_);
         const auto number = with_ply_type(type, [text](auto zero) { return parsed<decltype(zero)>(text); });
         if (!number) refuse(PlyProblem::number, "a number of the property's type", text);
@@ -147,7 +158,7 @@ private:
         });
     }
 
-    std::string_view text_, line_, words_;
+    std::string_view text_, line_, words_, last_word_;
     std::size_t next_ = 0;   ///< the byte after the line, or after the last number
     std::size_t place_ = 0;  ///< for errors: the line, or where the last number begins
     bool binary_ = false, swap_ = false;
@@ -226,13 +237,13 @@ void read_list(File& file, const Property& property, double vertices, std::vecto
 {
     // The list grows as its numbers come: the length may be a lie.
     const double length = file.number(*property.length_type);
-    if (length < 0) file.refuse(PlyProblem::number, "a list of length 0 or more");
+    if (length < 0) file.refuse(PlyProblem::number, "a list of length 0 or more", file.shown(length));
     face.clear();
     for (double i = 0; i < length; ++i) {
         const double value = file.number(property.type);
         if (property.role != Role::corners) continue;
         if (!(value >= 0 && value < std::min(vertices, 0x1p32)) || value != std::floor(value))
-            file.refuse(PlyProblem::index, "a vertex, counted from 0", std::to_string(value));
+            file.refuse(PlyProblem::index, "a vertex, counted from 0", file.shown(value));
         face.push_back(static_cast<std::uint32_t>(value));
     }
     if (property.role == Role::corners) mesh.faces.push_back(face);

@@ -4,7 +4,6 @@
 #include <umbral/record/driver.hpp>
 
 #include "comma_locale.hpp"
-#include "decode.hpp"
 #include "dialect.hpp"
 #include "hard_numbers.hpp"
 #include "malformed.hpp"
@@ -12,14 +11,12 @@
 #include "own_file.hpp"
 #include "reading_text.hpp"
 #include "well_formed.hpp"
+#include "written.hpp"
 
 namespace umbral {
 namespace {
 
 using namespace meshes;
-
-constexpr std::uint32_t missing = 4294967295U;
-constexpr PlyFormat formats[] = {PlyFormat::ascii, PlyFormat::little_endian, PlyFormat::big_endian};
 
 PolygonMesh read(Recorder& out, const std::string& file, const std::string& remark = "")
 {
@@ -36,24 +33,6 @@ PolygonMesh read_or_nothing(Recorder& out, const std::string& file, std::initial
     } catch (const std::exception& refusal) {
         for (const char* const table : tables) out.refused(table, refusal.what());
         return {};
-    }
-}
-
-/// So many rows, whatever came: files after this one must not suffer from it.
-template <class Values>
-void append_rows(Recorder& out, const char* name, const Values& values, std::size_t count, auto convert)
-{
-    for (std::size_t i = 0; i < count; ++i) out.append(name, i < values.size() ? convert(values[i]) : missing);
-}
-
-void record_faces(Recorder& out, const std::vector<std::vector<std::uint32_t>>& faces, const PolygonMesh& expected)
-{
-    const auto same = [](std::uint32_t corner) { return corner; };
-    out.append("faces", static_cast<std::uint32_t>(std::min<std::size_t>(faces.size(), missing)));
-    for (std::size_t i = 0; i < expected.faces.size(); ++i) {
-        const std::vector<std::uint32_t> face = i < faces.size() ? faces[i] : std::vector<std::uint32_t>{};
-        out.append("faces", i < faces.size() ? static_cast<std::uint32_t>(face.size()) : missing);
-        append_rows(out, "faces", face, expected.faces[i].size(), same);
     }
 }
 
@@ -168,6 +147,7 @@ Outcome outcome(Recorder& out, const std::string& file)
 void record_problems(Case& what, Recorder& out, const std::vector<Malformed>& written)
 {
     Variation& vary = what.vary;
+    out.columns("problems", problem_words());
     const std::vector<Malformed> files = in_random_order(vary, written);
     std::vector<std::string> good = odd_files();
     for (const std::string& file : empty_files()) good.push_back(file);
@@ -184,60 +164,6 @@ void record_problems(Case& what, Recorder& out, const std::vector<Malformed>& wr
         const auto tells = [&](const std::string& word) { return text.find(word) != std::string::npos; };
         out.append("texts", tells(bad.word) && tells(std::to_string(place)) ? place : missing);
     }
-}
-
-/// Files that the unit writes, and what stands in them.
-void record_written(Recorder& out, const PolygonMesh& mesh, PlyFormat format)
-{
-    const Decoded file = decoded(ask<write_ply>(out, mesh, format), format);
-    const auto same = [](std::uint32_t row) { return row; };
-    append_rows(out, "bits", file.position_bits, 3 * mesh.positions.size(), same);
-    for (std::size_t i = 0; format == PlyFormat::ascii && i < 3 * mesh.positions.size(); ++i) {
-        // Large whole numbers have two right ways: as few digits as a float needs, or their own.
-        const float value = std::abs(mesh.positions[i / 3][static_cast<int>(i % 3)]);
-        if (value < 0x1p24F || (value > 1e15F && std::isfinite(value)))
-            out.append("digits", i < file.digits.size() ? file.digits[i] : missing);
-    }
-    record_faces(out, file.faces, mesh);
-}
-
-/// Any finite float: sign, exponent and digits at random.
-float some_float(Random& random)
-{
-    const std::uint32_t bits = random.bits();
-    return std::bit_cast<float>((bits & 0x7F800000U) == 0x7F800000U ? bits & 0x807FFFFFU : bits);
-}
-
-void record_writing(Random& random, Recorder& out)
-{
-    PolygonMesh large{{}, {{}, {7}}};
-    for (int i = 0; i < 300; ++i) {
-        const float x = some_float(random);
-        const float y = random.uniform(-1, 1);
-        large.positions.emplace_back(x, y, static_cast<float>(random.below(2000)) / 100.0F);
-    }
-    const float infinity = std::numeric_limits<float>::infinity();
-    const PolygonMesh small{{{0, -0.0F, 1e-45F},
-                             {0.1F, 1e10F, 3.4028235e38F},
-                             {16777216, 1.0F / 3, -1e-10F},
-                             {infinity, -infinity, std::numeric_limits<float>::quiet_NaN()}},
-                            {{0, 1, 2}, {2, 1, 0, 1}}};
-    for (const PlyFormat format : formats) {
-        record_written(out, {}, format);
-        record_written(out, small, format);
-        record_written(out, large, format);
-    }
-    // A face of 256 corners does not fit a list whose length is one byte.
-    for (const std::uint32_t corners : {255U, 256U, 300U}) {
-        large.faces = {{7, 8, 9}, {}};
-        for (std::uint32_t i = 0; i < corners; ++i) large.faces.back().push_back(299 - i);
-        for (const PlyFormat format : formats) record_written(out, large, format);
-    }
-    // Nor does a vertex fit 16 bits that stands behind so many others.
-    PolygonMesh many{std::vector<glm::vec3>(70'000), {{0, 65535, 65536}}};
-    for (std::uint32_t i = 0; i < 60; ++i) many.faces.push_back({69'999 - i, 65'537 + i, i});
-    for (const PlyFormat format : formats)
-        record_faces(out, decoded(ask<write_ply>(out, many, format), format).faces, many);
 }
 
 void record_in_locale(Random& random, Recorder& out)
@@ -270,10 +196,14 @@ const Driver driver = {
     {"binary numbers", [](Case& c, Recorder& out) { record_binary_numbers(c.vary, out); }},
     {"decimals", [](Case& c, Recorder& out) { record_decimals(c.vary, out); }},
     {"headers", [](Case& c, Recorder& out) { record_problems(c, out, bad_headers()); }},
-    {"data", [](Case& c, Recorder& out) { record_problems(c, out, bad_data()); }},
+    {"data", [](Case& c, Recorder& out) { record_problems(c, out, bad_data(c.vary)); }},
     {"bytes", [](Case& c, Recorder& out) { record_problems(c, out, bad_binaries()); }},
     {"counts that lie", [](Case& c, Recorder& out) { record_problems(c, out, lying_counts()); }},
-    {"writing", [](Case& c, Recorder& out) { record_writing(c.random, out); }},
+    {"writing",
+     [](Case& c, Recorder& out) {
+         record_writing(c.random, out);
+         record_long_faces(c.random, out);
+     }},
     {"locale", [](Case& c, Recorder& out) { record_in_locale(c.random, out); }},
     {"own file", [](Case& c, Recorder& out) { record_own_file(c, out); }},
     {"picture",

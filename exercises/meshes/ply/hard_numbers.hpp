@@ -51,6 +51,20 @@ inline std::vector<std::string> binary_number_files()
                 files.push_back(one_vertex_header(words, type == PlyType::float32 ? "float" : "double") +
                                 numbers.data());
             }
+    // Data whose first bytes would end a line or part words, right behind a header with either end of lines.
+    const std::string starts[] = {"\n\r\n\r", "\r\n \t", " \t\n ", "\t\r\r\n"};
+    for (const std::string& start : starts)
+        for (const char* const words : {"binary_little_endian", "binary_big_endian"}) {
+            const bool is_double = words[7] == 'l' && start[0] != '\t';  // in the other order it would be tiny
+            std::string header = one_vertex_header(words, is_double ? "double" : "float");
+            NumberWriter others(words[7] == 'l' ? PlyFormat::little_endian : PlyFormat::big_endian);
+            others.put(PlyType::float32, 0);
+            others.put(PlyType::float32, 1);
+            if (start[0] == '\n')
+                for (std::size_t end = 0; (end = header.find('\n', end)) != std::string::npos; end += 2)
+                    header.insert(end, 1, '\r');
+            files.push_back(header + start + (is_double ? "\1\2\30@" : "") + others.data());
+        }
     return files;
 }
 
@@ -64,9 +78,12 @@ inline std::vector<std::pair<std::string, std::string>> decimal_files()
         "3.4028235e38 inf 0.000000000000000000000000000000000000000000001 "
         "100000000000000000000000000000000000000e-38 0.01e-5000 1e-99999999999999999999 -inf +inf nan "
         "-nan 8.589973e9";
+    // Too small without an exponent, or with one that does not make up for the zeros; and one that does.
+    const std::string zeros(400, '0');
+    const std::string many = " ." + zeros + "1 -" + zeros + "." + zeros + "7e5 0." + zeros + "25e400";
     std::vector<std::pair<std::string, std::string>> files;
     for (const char* const type : {"float", "double"}) {
-        std::istringstream words(all);
+        std::istringstream words(all + many);
         for (std::string word; words >> word;)
             files.emplace_back(word, one_vertex_header("ascii", type) + word + " 0 1\n");
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -40,12 +41,26 @@ inline std::vector<Malformed> bad_headers()
             with("vertex 4", "vertex 9223372036854775808"),
             with("vertex 4", "vertex 4 4"),
             with("element face", "element vertex"),
+            // The same name, with others between.
+            with("end_header", "element vertex 0\nend_header"),
+            with("end_header", "property int face\nelement face 0\nend_header"),
+            with("element face", "element edge 0\nelement strip 0\nelement edge 0\nelement face"),
             with("element face", "elephant face"),
             with("element face", "faces\nelement face"),
             with("comment four", "property float x\ncomment four"),
+            // No keywords, though they begin like one.
+            with("comment four", "commentary four"),
+            with("comment four", "Comment four"),
+            with("comment four", "obj_information four"),
+            with("comment four", "comment: four"),
+            with("end_header", "end_header_of_four"),
             with("float y", "real y"),
             with("float y", "float"),
             with("float y", "float x"),
+            with("float z", "float z\nproperty double y"),
+            with("float z", "float z\nproperty list uchar float y"),
+            with("end_header", "property int vertex_indices\nend_header"),
+            with("float x", "list uchar float z\nproperty float x"),
             with("float y", "float y z"),
             with("list uchar int", "list uchar"),
             with("list uchar int", "list float int"),
@@ -58,7 +73,42 @@ inline std::vector<Malformed> bad_headers()
             {changed(good_ascii, "element vertex", "element point"), false}};
 }
 
-inline std::vector<Malformed> bad_data()
+/// Numbers of a file that are no vertex: not whole, by a little or much.
+inline std::vector<Malformed> corners_not_whole(Variation& vary)
+{
+    const auto corner = [&](const char* type, const char* number) {
+        return Malformed{changed(changed(good_ascii, "uchar int", std::string("uchar ") + type), "3 0 2 3",
+                                 std::string("3 0 ") + number + " 3", "end_header"),
+                         true, number};
+    };
+    const auto one_of = [&](const char* written, const auto& others) { return vary.one_of(written, others); };
+    return {corner("float", one_of("1.5", std::array{"0.5", "2.5", "1.25", "0.75"})),
+            corner("float", one_of("1.0000001", std::array{"2.0000002", "0.99999994", "1.9999999", "1.0000002"})),
+            corner("float", one_of("1e-30", std::array{"3e-20", "1e-38", "7.5e-12", "4e-9"})),
+            corner("double", one_of("2.0000000001", std::array{"1.00000000001", "0.9999999999", "1.999999999"})),
+            corner("double", one_of("1.000000000000001", std::array{"2.000000000000001", "0.999999999999999"})),
+            corner("double", one_of("-1e-12", std::array{"-1e-9", "-1e-15", "-2e-200"}))};
+}
+
+/// Lines with two faults, or with one that only looks like the other: the first one counts.
+inline std::vector<Malformed> lines_of_two_faults(Variation& vary)
+{
+    const std::string word =
+        vary.one_of(std::string("zero"), std::array<std::string, 5>{"none", "1,5", "--2", "0x1", "1.5f"});
+    const auto with = [&](const char* piece, const std::string& by, const std::string& told) {
+        return Malformed{changed(good_ascii, piece, by, "end_header"), true, told};
+    };
+    return {with("1 0 0", "1 " + word, word),
+            with("0 1 0", word, word),
+            with("0 0 1", "0 " + word + " 1 7", word),
+            with("3 0 1 2", "3 0 " + word, word),
+            with("3 0 2 3", "3 0 " + word + " 3 1", word),
+            with("3 0 2 3", "3 0 47", "47"),
+            with("3 0 1 2", "3 0 47 2 1 " + word, "47"),
+            with("1 0 0", "1 0 0 " + word, "")};  // a number too many, whatever it is
+}
+
+inline std::vector<Malformed> bad_data(Variation vary = {})
 {
     const auto with = [](const char* piece, const char* by) {
         return Malformed{changed(good_ascii, piece, by, "end_header")};
@@ -97,7 +147,6 @@ inline std::vector<Malformed> bad_data()
                                     with_word("3 0 2 3", "3 0 2 ", "47"),
                                     with("3 0 2 3", "3 0 2 4"),
                                     with("3 0 2 3", "3 0 -1 3"),
-                                    {changed(changed(good_ascii, "uchar int", "uchar float"), "3 0 2 3", "3 0 1.5 3")},
                                     {changed(changed(good_ascii, "uchar int", "char int"), "3 0 2 3", "-1")},
                                     {changed(good_ascii, "vertex 4", "vertex 3")},
                                     {changed(good_ascii, "vertex 4", "vertex 5")}};
@@ -105,6 +154,8 @@ inline std::vector<Malformed> bad_data()
         for (const bool highest : {false, true})
             files.push_back(
                 {with_number(static_cast<PlyType>(type), limit_of(static_cast<PlyType>(type), highest, 1))});
+    for (const auto& more : {corners_not_whole(vary), lines_of_two_faults(vary)})
+        files.insert(files.end(), more.begin(), more.end());
     // Faces first: whether their corners are vertices is told by the count alone, of which no digit may be lost.
     for (const char* const type : {"int", "uint", "double"}) {
         const std::string claims = std::string("ply\nformat ascii 1.0\nelement face 1\nproperty list uchar ") + type +
@@ -148,6 +199,12 @@ inline std::vector<Malformed> bad_binaries()
     files.push_back(poked(big_endian, int32, uint8, 48, "\377\377\377\375"s));
     files.push_back(poked(little_endian, uint8, float32, 48 + 5, "\0\0\300\77"s));
     files.push_back(poked(little_endian, uint8, float32, 48 + 5, "\0\0\300\177"s));
+    files.push_back(poked(little_endian, uint8, float32, 48 + 5, "\1\0\200\77"s));                   // 1.0000001
+    files.push_back(poked(big_endian, uint8, float64, 48 + 9, "\77\357\377\377\377\377\377\377"s));  // below 1
+    // A corner that is no vertex comes before the end of data that are not all there.
+    Malformed two_faults = poked(big_endian, uint8, uint32, 48 + 13 + 5, "\200\0\0\2"s);
+    two_faults.file.resize(two_faults.file.size() - 2);
+    files.push_back(two_faults);
     return files;
 }
 

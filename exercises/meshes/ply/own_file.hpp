@@ -28,6 +28,15 @@ inline const char* name_of(PlyProblem problem)
     return "no PlyProblem";
 }
 
+/// The column of what came of a file: 0 if it was read, 99 for an exception that is no PlyError.
+inline std::string problem_words()
+{
+    std::string words = "problem (0: none";
+    for (int problem = 1; problem <= 8; ++problem)
+        words += "; " + std::to_string(problem) + ": " + name_of(static_cast<PlyProblem>(problem));
+    return words + "; 99: no PlyError)";
+}
+
 inline void record_mesh(Recorder& out, const PolygonMesh& mesh)
 {
     std::size_t corners = 0;

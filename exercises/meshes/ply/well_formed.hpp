@@ -101,7 +101,10 @@ inline std::vector<std::string> odd_files()
                    "3 0 2 3 1 -9"),
         with_faces("property list uchar int vertex_index\nproperty list uchar int vertex_indices", "3 0 1 2 2 9 9",
                    "3 0 2 3 1 -9"),
-        with_faces("property list int double vertex_index", "3 0 1.0 2", "3 0.0 20e-1 3")};
+        with_faces("property list int double vertex_index", "3 0 1.0 2", "3 0.0 20e-1 3"),
+        // Types without negative numbers have a -0 all the same.
+        with_faces("property list uchar uint vertex_indices", "3 -0 1 2", "3 -0 +2 3"),
+        with_number(PlyType::uint16, "-00")};
     for (int type = 0; type < 6; ++type)
         for (const bool highest : {false, true})
             files.push_back(with_number(static_cast<PlyType>(type), limit_of(static_cast<PlyType>(type), highest)));

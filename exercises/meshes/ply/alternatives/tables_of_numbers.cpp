@@ -1,5 +1,5 @@
 // alternative: every element becomes a table of rows of numbers, and the mesh is made of the tables at the end;
-// decimals by streams in the classic locale; written with an exponent, by one digit more until they read back
+// decimals by streams in the classic locale; written with an exponent
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -184,7 +184,7 @@ struct Reader {
                 const double value = number(property.type);
                 if (!corners) continue;
                 if (!(value >= 0) || value >= static_cast<double>(vertices) || value != std::trunc(value))
-                    refuse(PlyProblem::index, place, std::to_string(value));
+                    refuse(PlyProblem::index, place, words.empty() ? "" : words[next - 1]);
                 mesh.faces.back().push_back(static_cast<std::uint32_t>(value));
             }
         }
@@ -247,15 +247,9 @@ std::string write_ply(const PolygonMesh& mesh, PlyFormat format)
                 put(bits);
                 continue;
             }
-            // One digit more until it reads back, always with an exponent: 5e-01, 1e+10.
+            // Always with an exponent: 5e-01, 1e+10.
             char word[32];
-            char* end = word;
-            float back = position[axis] == 1 ? 0.0F : 1.0F;
-            for (int digits = 0; digits < 9 && std::isfinite(position[axis]) && back != position[axis]; ++digits) {
-                end = std::to_chars(word, word + 32, position[axis], std::chars_format::scientific, digits).ptr;
-                std::from_chars(word, end, back);
-            }
-            if (end == word) end = std::to_chars(word, word + 32, position[axis]).ptr;
+            char* const end = std::to_chars(word, word + 32, position[axis], std::chars_format::scientific).ptr;
             file += std::string(word, end) + (axis < 2 ? "\t" : "\r\n");
         }
     }
