@@ -124,7 +124,7 @@ void add_told(ToldSample& told, const ToldSample& other)
 
 }
 
-AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
+AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed, const AskedSample* but)
 {
     const AskedAnswers answers = asked_answers(worker, asked, seed);
     const QuestionLog& log =
@@ -134,10 +134,15 @@ AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t 
     AskedSample result;
     const auto most = std::ranges::max_element(by_kind, {}, [](const auto& one) { return one.second.size(); });
     if (most == by_kind.end()) return result;
-    const auto& [kind, some] = *most;
+    auto& [kind, some] = *most;
+    if (kind != nullptr && but != nullptr)
+        std::erase_if(some, [&kind = kind, but](const AskedAnswer* one) {
+            return but->questions.contains(kind->questions.at(one->question));
+        });
     result.answers = {answers.components, answers.keys, answers.columns, {}, {}};
     for (const AskedAnswer* const one : some) result.answers.answers.push_back(one->answer);
-    if (kind == nullptr) return result;
+    if (kind == nullptr || some.empty()) return result;
+    for (const AskedAnswer* const one : some) result.questions.insert(kind->questions.at(one->question));
     const AnswersOfKind of_kind{answers, *kind, some};
     const QuestionTable table = questions_of(asked, of_kind);
     result.by_answer = by_answer(table, of_kind);
@@ -156,6 +161,7 @@ bool add(AskedSample& sample, const AskedSample& other)
         are_alike(sample.by_question.facts, other.by_question.facts);
     if (!alike) return false;
     std::ranges::copy(other.answers.answers, std::back_inserter(sample.answers.answers));
+    sample.questions.insert(other.questions.begin(), other.questions.end());
     add_facts(sample.answers.facts, other.answers.facts);
     add_told(sample.by_answer, other.by_answer);
     add_told(sample.by_question, other.by_question);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct ToldSample {
 /// A check's answers whose questions are of one kind, the kind that most have.
 struct AskedSample {
     AnswerTable answers{};
+    std::set<std::vector<double>> questions{};  ///< the numbers of all
     /// Each answer by itself, in the same order, with its question's numbers and the right answer's. Where a question
     /// has several answers, they tell no more of it than one would: then without the question's.
     ToldSample by_answer{};
@@ -33,8 +35,10 @@ struct AskedSample {
     ToldSample by_question{};
 };
 
-/// The answers with the inputs of a seed. The student's code may be run again.
-[[nodiscard]] AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed);
+/// The answers with the inputs of a seed, but for those to questions that `but` holds. The student's code may be run
+/// again.
+[[nodiscard]] AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed,
+                                       const AskedSample* but = nullptr);
 
 /// Adds the answers of another seed. False, and nothing is changed, if other things are told of them.
 [[nodiscard]] bool add(AskedSample& sample, const AskedSample& other);

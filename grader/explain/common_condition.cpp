@@ -3,12 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <umbral/record/variation.hpp>
 #include <utility>
 
-#include "explain/asked_sample.hpp"
-#include "model/digest.hpp"
+#include "explain/samples.hpp"
 #include "question/conditions.hpp"
 
 namespace umbral::grader {
@@ -17,83 +14,13 @@ namespace {
 constexpr std::size_t least_of_fixed = 6;  ///< questions on either side, where no fresh ones can confirm a condition
 /// Something that is so for 1 answer of 100 but one is found out with these many; few are asked at a time.
 constexpr std::size_t enough_answers = 200;
-constexpr std::size_t enough_seen = 8;  ///< wrong answers in which something is looked for
 constexpr std::size_t most_in_vector = 4;
-constexpr std::size_t most_added = 3;       ///< sets of fresh inputs, where few answers are wrong
 constexpr std::size_t least_confirmed = 2;  ///< sets of fresh inputs with wrong answers
-constexpr std::size_t most_confirmed = 6;
-
-std::size_t wrong_in(const std::vector<bool>& wrong)
-{
-    return static_cast<std::size_t>(std::ranges::count(wrong, true));
-}
-
-std::size_t wrong_in(const AnswerTable& table)
-{
-    return static_cast<std::size_t>(std::ranges::count_if(table.answers, &AnswerPair::wrong));
-}
 
 bool has_both(const std::vector<bool>& wrong, std::size_t least)
 {
     return wrong_in(wrong) >= least && wrong.size() - wrong_in(wrong) >= least;
 }
-
-/// The answers that were graded, and those to fresh inputs, where what was seen is confirmed; each found out once, when
-/// first asked for. Of a hidden case all inputs are fresh, and the same for everybody: what is said of them tells
-/// nothing about those that were graded.
-class Samples {
-public:
-    Samples(Worker& worker, const AskedCheck& asked) : worker_(worker), asked_(asked) {}
-
-    /// In what few answers are wrong, more are looked at.
-    const AskedSample& seen()
-    {
-        if (seen_) return *seen_;
-        seen_ = asked_at(next_++);
-        while (next_ <= most_added && wrong_in(seen_->answers) < enough_seen) {
-            const AskedSample more = asked_at(next_);
-            is_fixed_ = is_fixed_ || more.by_answer.numbers == seen_->by_answer.numbers;
-            if (is_fixed_ || !add(*seen_, more)) break;
-            ++next_;
-        }
-        return *seen_;
-    }
-
-    /// Are the same questions asked whatever the seed?
-    bool is_fixed()
-    {
-        is_fixed_ = is_fixed_ || fresh(1).by_answer.numbers == seen().by_answer.numbers;
-        return is_fixed_;
-    }
-
-    /// From 1 to most_confirmed; none of them was seen.
-    const AskedSample& fresh(std::size_t number)
-    {
-        (void)seen();
-        std::optional<AskedSample>& one = fresh_.at(number - 1);
-        if (!one) one = asked_at(next_ - 1 + number);
-        return *one;
-    }
-
-private:
-    /// Fresh inputs vary what is written down in a driver, too: what is so of the one scene that it draws may be so by
-    /// chance.
-    [[nodiscard]] AskedSample asked_at(std::size_t place) const
-    {
-        if (place == 0 && !asked_.result.hidden) return asked_sample(worker_, asked_, asked_.result.seed);
-        const std::uint64_t first = asked_.result.hidden
-                                        ? case_seed("practice", "", "", asked_.exercise.id, asked_.check.case_name, 0)
-                                        : asked_.result.seed;
-        return asked_sample(worker_, asked_, VariedSeed::with_mark(first ^ (place * 0x9E3779B97F4A7C15U)));
-    }
-
-    Worker& worker_;
-    const AskedCheck& asked_;
-    std::optional<AskedSample> seen_;
-    std::size_t next_ = 0;  ///< place of the first that was not seen
-    bool is_fixed_ = false;
-    std::array<std::optional<AskedSample>, most_confirmed> fresh_;
-};
 
 /// "the right answer is nothing" is what people say.
 void replace(std::string& text, const std::string& from, const std::string& to)
@@ -112,24 +39,27 @@ std::string in_plain_words(const Condition& condition)
     return text;
 }
 
+/// What fresh inputs say of a condition.
+enum class Confirmed { no, untried, yes };
+
 /// Does the condition part those of fresh inputs too, so many that a chance would have shown?
-bool is_confirmed(const Condition& condition, Samples& samples, ToldSample AskedSample::*of)
+Confirmed confirmed_by(const Condition& condition, Samples& samples, ToldSample AskedSample::*of)
 {
     const ToldSample& seen = samples.seen().*of;
     std::size_t wrong = condition.wrong;
     std::size_t right = condition.right;
     std::size_t confirmed = 0;
-    for (std::size_t i = 1; i <= most_confirmed; ++i) {
+    for (std::size_t i = 1; i <= Samples::most_fresh; ++i) {
         const ToldSample& fresh = samples.fresh(i).*of;
-        if (fresh.names != seen.names) return false;
+        if (fresh.names != seen.names) return Confirmed::no;
         // Rare ones may not come again at all.
         if (!has_both(fresh.wrong, 1)) continue;
-        if (!parts(condition, fresh.facts, fresh.wrong)) return false;
+        if (!parts(condition, fresh.facts, fresh.wrong)) return Confirmed::no;
         wrong += wrong_in(fresh.wrong);
         right += fresh.wrong.size() - wrong_in(fresh.wrong);
         if (++confirmed >= least_confirmed && std::min(wrong, right) >= enough_answers) break;
     }
-    return confirmed >= least_confirmed;
+    return confirmed >= least_confirmed ? Confirmed::yes : Confirmed::untried;
 }
 
 /// The simplest condition that parts wrong ones from right ones, if it does so on fresh inputs too, or if there can be
@@ -140,15 +70,16 @@ std::optional<CommonCondition> condition_of(Samples& samples, ToldSample AskedSa
     if (seen.numbers.empty()) return std::nullopt;
     std::optional<Condition> condition = simplest_condition(seen.facts, seen.wrong);
     if (!condition) return std::nullopt;
-    const bool same = samples.is_fixed();
-    // Where a case always asks the same, nothing can say that the bound is more than a number between them, nor that
-    // one of the many entries of a right matrix has more to do with it than another.
+    const bool fixed = samples.is_fixed();
+    // Where a case asks the same at every desk, nothing can say that the bound is more than a number between them, nor
+    // that one of the many entries of a right matrix has more to do with it than another.
     const bool by_chance =
         condition->fitted || (condition->of_answer && samples.seen().answers.components > most_in_vector);
-    if (same && by_chance) return std::nullopt;
-    const bool holds = same ? has_both(seen.wrong, least_of_fixed) && condition->right_where == 0 &&
-                                  condition->wrong_where == condition->wrong
-                            : is_confirmed(*condition, samples, of);
+    const bool exact = has_both(seen.wrong, least_of_fixed) && condition->right_where == 0 &&
+                       condition->wrong_where == condition->wrong;
+    if (fixed && (by_chance || !exact)) return std::nullopt;
+    const Confirmed confirmed = confirmed_by(*condition, samples, of);
+    const bool holds = confirmed == Confirmed::yes || (fixed && confirmed == Confirmed::untried);
     if (!holds) return std::nullopt;
     return CommonCondition{*std::move(condition), of};
 }
@@ -165,10 +96,10 @@ std::string common_answer(Samples& samples)
 {
     std::vector<std::string> patterns = answer_patterns(samples.seen().answers);
     std::size_t wrong = wrong_in(samples.seen().answers);
-    const bool same = !patterns.empty() && samples.is_fixed();
+    const bool fixed = !patterns.empty() && samples.is_fixed();
     std::optional<AskedSample> pending;
     std::size_t confirmed = 0;
-    for (std::size_t i = 1; i <= most_confirmed && !patterns.empty(); ++i) {
+    for (std::size_t i = 1; i <= Samples::most_fresh && !patterns.empty(); ++i) {
         AskedSample fresh = samples.fresh(i);
         // Of few nothing can be told: they are looked at together.
         if (pending && add(*pending, fresh)) fresh = *std::exchange(pending, std::nullopt);
@@ -179,7 +110,7 @@ std::string common_answer(Samples& samples)
         const std::vector<std::string> again = answer_patterns(fresh.answers);
         std::erase_if(patterns, [&](const std::string& one) { return std::ranges::find(again, one) == again.end(); });
         wrong += wrong_in(fresh.answers);
-        if (++confirmed >= least_confirmed && (same || wrong >= enough_answers)) break;
+        if (++confirmed >= least_confirmed && (fixed || wrong >= enough_answers)) break;
     }
     if (confirmed == 0) patterns.clear();
     return patterns.empty() ? "" : patterns.front();

@@ -33,6 +33,11 @@ protected:
     QuestionsOfGrids() : SpoiltReference("meshes/grid-and-sphere") {}
 };
 
+class QuestionsOfAngles : public SpoiltReference {
+protected:
+    QuestionsOfAngles() : SpoiltReference("projections/curved") {}
+};
+
 TEST_F(Questions, an_interval_that_begins_at_0_is_told_by_where_it_goes_wrong_and_by_what_it_answers)
 {
     const UnitResult result = grade("if (ray.t_min < t &&", "if (0 < t &&");
@@ -197,6 +202,17 @@ TEST_F(QuestionsOfGrids, a_question_is_wrong_if_one_of_its_answers_is)
     EXPECT_EQ(sample.by_question.wrong, (std::vector<bool>{false, true}));
     EXPECT_EQ(sample.by_answer.wrong.size(), 400U);
     EXPECT_EQ(sample.by_answer.names.size(), 3U) << "the right answer's alone";
+}
+
+// One question that is written down in the driver is one example, however often it is asked.
+TEST_F(QuestionsOfAngles, a_single_question_that_always_comes_proves_nothing)
+{
+    const UnitResult result =
+        grade("{ return static_cast<float>(angle_between(a, b)); }",
+              "{ return a == glm::vec3(0) && b != a ? 3.0F : static_cast<float>(angle_between(a, b)); }");
+    const CheckResult& wrong = check(result, "known angles/angle");
+    ASSERT_LT(wrong.score, wrong.max_score);
+    EXPECT_EQ(wrong.common, "");
 }
 
 TEST_F(Questions, right_work_is_asked_nothing)

@@ -62,7 +62,8 @@ public:
         });
         if (!main_reasons(result).empty()) bug.said.push_back(tried_reason(result));
         for (std::size_t i = 0; i < result.checks.size(); ++i)
-            if (!result.checks[i].common.empty()) try_common(exercise_.checks[i], bug);
+            if (!result.checks[i].common.empty() || !result.checks[i].practice.empty())
+                try_common(exercise_.checks[i], bug);
         return bug;
     }
 
@@ -89,6 +90,7 @@ private:
     CaseResult run(const Check& check, unsigned inputs)
     {
         CaseResult one;
+        one.hidden = is_hidden_case(exercise_, check.case_name);
         one.seed = options_for(inputs).seeds.seed_of(exercise_, check.case_name);
         one.student = worker_.run(exercise_, built_, check.case_name, one.seed);
         return one;

@@ -1,0 +1,82 @@
+#include "explain/samples.hpp"
+
+#include <algorithm>
+#include <umbral/record/variation.hpp>
+#include <vector>
+
+#include "model/digest.hpp"
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::size_t enough_wrong = 8;  ///< answers in which something can be looked for
+constexpr std::size_t most_added = 3;    ///< sets of other inputs
+
+}
+
+std::size_t wrong_in(const std::vector<bool>& wrong)
+{
+    return static_cast<std::size_t>(std::ranges::count(wrong, true));
+}
+
+std::size_t wrong_in(const AnswerTable& table)
+{
+    return static_cast<std::size_t>(std::ranges::count_if(table.answers, &AnswerPair::wrong));
+}
+
+std::uint64_t Samples::seed_of(std::size_t place) const
+{
+    const std::uint64_t first = asked_.result.hidden
+                                    ? case_seed("practice", "", "", asked_.exercise.id, asked_.check.case_name, 0)
+                                    : asked_.result.seed;
+    return first ^ (place * 0x9E3779B97F4A7C15U);
+}
+
+AskedSample Samples::others(std::size_t place, const AskedSample& but) const
+{
+    return asked_sample(worker_, asked_, VariedSeed::without_mark(seed_of(place)), &but);
+}
+
+void Samples::add_to(AskedSample& first)
+{
+    const std::size_t wrong = wrong_in(first.answers);
+    AskedSample all = first;
+    bool same = true;
+    while (used_ <= most_added && wrong_in(all.answers) < enough_wrong) {
+        const AskedSample more = others(used_++, first);
+        if (!fixed_) fixed_ = !asked_.result.hidden && more.answers.answers.empty();
+        if (!add(all, more)) return;
+        same = same && wrong_in(more.answers) == wrong;
+    }
+    // Hidden inputs are always varied. As many wrong ones every time may be the same question written down, every time
+    // a little different, and that is one example and not four.
+    if (asked_.result.hidden && same && wrong < least_wrong) return;
+    first = std::move(all);
+}
+
+const AskedSample& Samples::seen()
+{
+    if (!seen_) {
+        seen_ = asked_sample(worker_, asked_, seed_of(0));
+        if (wrong_in(seen_->answers) < enough_wrong) add_to(*seen_);
+    }
+    return *seen_;
+}
+
+bool Samples::is_fixed()
+{
+    (void)seen();
+    if (!fixed_) fixed_ = !asked_.result.hidden && others(used_++, *seen_).answers.answers.empty();
+    return *fixed_;
+}
+
+const AskedSample& Samples::fresh(std::size_t number)
+{
+    (void)seen();
+    std::optional<AskedSample>& one = fresh_.at(number - 1);
+    // Behind all places that may be used otherwise.
+    if (!one) one = asked_sample(worker_, asked_, VariedSeed::with_mark(seed_of(most_added + 1 + number)));
+    return *one;
+}
+
+}

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "explain/asked_sample.hpp"
+
+namespace umbral::grader {
+
+[[nodiscard]] std::size_t wrong_in(const std::vector<bool>& wrong);
+[[nodiscard]] std::size_t wrong_in(const AnswerTable& table);
+
+/// A check's answers in which something is looked for, and others on which it is confirmed; each found out once, when
+/// first asked for.
+///
+/// Of a visible check that are first of all the answers that were graded. Of a hidden one none of these is: all inputs
+/// follow from no secret, and are the same for everybody, so that what is said of them tells nothing about those that
+/// were graded.
+class Samples {
+public:
+    static constexpr std::size_t most_fresh = 6;
+
+    /// Both must live as long.
+    Samples(Worker& worker, const AskedCheck& asked) : worker_(worker), asked_(asked) {}
+
+    /// Where few answers are wrong, with answers to other questions of the case, up to three times as many.
+    [[nodiscard]] const AskedSample& seen();
+
+    /// Does the case ask the same at every desk? Of a hidden one nobody knows: no.
+    [[nodiscard]] bool is_fixed();
+
+    /// Answers to inputs that were not seen, 1 to most_fresh. What is written down in the driver is varied in them:
+    /// what is so of the one scene that it draws may be so by chance.
+    [[nodiscard]] const AskedSample& fresh(std::size_t number);
+
+private:
+    [[nodiscard]] std::uint64_t seed_of(std::size_t place) const;
+    [[nodiscard]] AskedSample others(std::size_t place, const AskedSample& but) const;
+    void add_to(AskedSample& first);
+
+    Worker& worker_;
+    const AskedCheck& asked_;
+    std::optional<AskedSample> seen_;
+    std::size_t used_ = 1;  ///< places of seeds
+    std::optional<bool> fixed_;
+    std::array<std::optional<AskedSample>, most_fresh> fresh_;
+};
+
+}
