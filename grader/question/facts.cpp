@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace umbral::grader {
 namespace {
@@ -36,6 +37,40 @@ double sine(const std::vector<double>& row, const VectorColumns& a, const Vector
     return std::sqrt(std::max(0.0, 1 - ab * ab / (aa * bb)));
 }
 
+double determinant(std::vector<double> matrix, std::size_t side)
+{
+    double product = 1;
+    for (std::size_t k = 0; k < side; ++k) {
+        std::size_t pivot = k;
+        for (std::size_t i = k; i < side; ++i)
+            if (std::abs(matrix[i * side + k]) > std::abs(matrix[pivot * side + k])) pivot = i;
+        if (matrix[pivot * side + k] == 0) return 0;
+        if (pivot != k) {
+            product = -product;
+            for (std::size_t j = 0; j < side; ++j) std::swap(matrix[k * side + j], matrix[pivot * side + j]);
+        }
+        product *= matrix[k * side + k];
+        for (std::size_t i = k + 1; i < side; ++i) {
+            const double factor = matrix[i * side + k] / matrix[k * side + k];
+            for (std::size_t j = k; j < side; ++j) matrix[i * side + j] -= factor * matrix[k * side + j];
+        }
+    }
+    return product;
+}
+
+/// Twice the area of a triangle in the plane, negative where its corners go clockwise.
+double signed_area(const std::vector<double>& row, const VectorColumns& a, const VectorColumns& b,
+                   const VectorColumns& c)
+{
+    const auto across = [&](const VectorColumns& from, std::size_t axis) {
+        return row[from.first + axis] - row[a.first + axis];
+    };
+    return across(b, 0) * across(c, 1) - across(b, 1) * across(c, 0);
+}
+
+/// Of "frame.x" the "frame.", of "corners[0]" the "corners[": what vectors of one struct or array have in common.
+std::string_view owner(std::string_view words) { return words.substr(0, words.find_last_of(".[") + 1); }
+
 /// The least or the largest coordinate of a vector; NaN if one is no number.
 template <class Best>
 double extreme(const std::vector<double>& row, const VectorColumns& a, const Best& best)
@@ -56,6 +91,49 @@ Fact fact(std::string words, Fact::Kind kind, const QuestionTable& table, const 
     for (const std::vector<double>& row : table.numbers) result.values.push_back(value(row));
     result.quantity = quantity_of(result.words);
     return result;
+}
+
+/// Of three vectors that are all of a struct or an array.
+void add_triples(const QuestionTable& table, const std::vector<VectorColumns>& vectors, std::vector<Fact>& facts)
+{
+    for (std::size_t i = 0; i + 2 < vectors.size(); ++i) {
+        const VectorColumns& a = vectors[i];
+        const VectorColumns& b = vectors[i + 1];
+        const VectorColumns& c = vectors[i + 2];
+        const std::string_view of = owner(a.words);
+        const bool together = !of.empty() && owner(b.words) == of && owner(c.words) == of && a.size == b.size &&
+                              b.size == c.size && (i == 0 || owner(vectors[i - 1].words) != of);
+        if (!together || a.first >= table.answers || a.size > 3) continue;
+        const std::string words = fmt::format("{}, {} and {}", a.words, b.words, c.words);
+        if (a.size == 2)
+            facts.push_back(fact("the signed area of " + words, Fact::Kind::product, table,
+                                 [&](const auto& row) { return signed_area(row, a, b, c); }));
+        else
+            facts.push_back(fact("the determinant of " + words, Fact::Kind::product, table, [&](const auto& row) {
+                std::vector<double> matrix;
+                for (const VectorColumns* one : {&a, &b, &c})
+                    matrix.insert(matrix.end(), row.begin() + static_cast<std::ptrdiff_t>(one->first),
+                                  row.begin() + static_cast<std::ptrdiff_t>(one->first + 3));
+                return determinant(std::move(matrix), 3);
+            }));
+    }
+}
+
+/// Of matrices, which mirror where it is negative.
+void add_determinants(const QuestionTable& table, std::vector<Fact>& facts)
+{
+    for (std::size_t i = 0; i < std::min(table.names.size(), table.answers); ++i) {
+        const std::string& name = table.names[i];
+        if (!name.ends_with("[0][0]")) continue;
+        const std::string base = name.substr(0, name.size() - std::string_view("[0][0]").size());
+        std::size_t side = 1;
+        while (i + side < table.names.size() && table.names[i + side] == fmt::format("{}[0][{}]", base, side)) ++side;
+        if (side < 2 || i + side * side > table.names.size()) continue;
+        facts.push_back(fact("the determinant of " + base, Fact::Kind::product, table, [&](const auto& row) {
+            const auto first = row.begin() + static_cast<std::ptrdiff_t>(i);
+            return determinant({first, first + static_cast<std::ptrdiff_t>(side * side)}, side);
+        }));
+    }
 }
 
 }
@@ -115,6 +193,8 @@ std::vector<Fact> facts_of(const QuestionTable& table)
                                  [&](const auto& row) { return sine(row, a, b); }));
         }
     }
+    add_triples(table, vectors, facts);
+    add_determinants(table, facts);
     return facts;
 }
 

@@ -46,7 +46,7 @@ struct VectorColumns {
 [[nodiscard]] std::vector<VectorColumns> vectors_in(const std::vector<std::string>& names);
 
 /// All that is told of the questions: their numbers, the lengths, least and largest coordinates of vectors, distances
-/// and products between two.
+/// and products between two, areas and determinants of three, and determinants of matrices.
 [[nodiscard]] std::vector<Fact> facts_of(const QuestionTable& table);
 
 }

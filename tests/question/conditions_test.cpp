@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <set>
 #include <umbral/core/random.hpp>
@@ -252,6 +254,25 @@ TEST(PossibleConditions, say_nearly_of_what_is_so_but_for_a_little)
     EXPECT_TRUE(said(1e-6).contains("u and v are parallel, or nearly"));
     EXPECT_TRUE(said(1).contains("u and v are perpendicular"));
     EXPECT_TRUE(said(1 - 1e-12).contains("u and v are perpendicular, or nearly"));
+}
+
+TEST(Facts, know_which_way_round_three_corners_go_and_what_mirrors)
+{
+    QuestionTable table{{"area", "t.a.x", "t.a.y", "t.b.x", "t.b.y", "t.c.x", "t.c.y"}, {}};
+    table.numbers = {{1, 0, 0, 2, 0, 0, 3}, {1, 0, 0, 0, 3, 2, 0}};
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) table.names.push_back(fmt::format("m[{}][{}]", column, row));
+    for (const double entry : {0.0, 2.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 3.0}) table.numbers[0].push_back(entry);
+    for (const double entry : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0}) table.numbers[1].push_back(entry);
+    const std::vector<Fact> facts = facts_of(table);
+    const auto values = [&](const std::string& words) {
+        const auto found = std::ranges::find(facts, words, &Fact::words);
+        return found == facts.end() ? std::vector<double>() : found->values;
+    };
+    EXPECT_EQ(values("the signed area of t.a, t.b and t.c"), (std::vector<double>{6, -6}));
+    ASSERT_EQ(values("the determinant of m").size(), 2U);
+    EXPECT_EQ(values("the determinant of m")[0], -6);
+    EXPECT_NEAR(values("the determinant of m")[1], -3, 1e-12);
 }
 
 TEST(Facts, know_lengths_products_and_parallel_vectors)

@@ -1,6 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <set>
+#include <span>
 #include <string>
 #include <umbral/record/literal.hpp>
 #include <umbral/record/place.hpp>
@@ -30,7 +36,11 @@ struct Features {
 /// Of a list, about so many numbers are looked at: of meshes and chains of thousands the first.
 inline constexpr std::size_t most_numbers_of_list = 2000;
 
+/// Of arrays up to this length each element is looked at by itself.
+inline constexpr std::size_t most_elements = 4;
+
 inline constexpr std::string_view component_names[] = {"x", "y", "z", "w"};
+inline constexpr std::string_view element_names[most_elements] = {"[0]", "[1]", "[2]", "[3]"};
 
 namespace detail {
 
@@ -49,10 +59,52 @@ std::string words_of()
     return words;
 }
 
+template <class Value>
+inline constexpr bool is_short_array = false;
+template <class Element, std::size_t Count>
+inline constexpr bool is_short_array<std::array<Element, Count>> = Count <= most_elements;
+
 }
 
-/// Adds the numbers in `value`, which stands at `place`. Lists give their lengths, their least and their largest
-/// number.
+template <class Value>
+void add_features(const Place& place, const Value& value, Features& features);
+
+namespace detail {
+
+/// Equal for elements with equal numbers: 0 and -0 are, and so is what is no number.
+[[nodiscard]] inline std::vector<std::uint64_t> key_of(std::span<const double> numbers)
+{
+    std::vector<std::uint64_t> key;
+    for (const double number : numbers)
+        key.push_back(std::isnan(number) ? 1 : std::bit_cast<std::uint64_t>(number + 0.0));
+    return key;
+}
+
+/// How many there are, how many different ones, the least and the largest number in them.
+template <class List>
+void add_features_of_list(const Place& place, const List& list, Features& features)
+{
+    Features inside{.named = false};
+    std::set<std::vector<std::uint64_t>> different;
+    std::size_t equal = 0;
+    for (const auto& element : list) {
+        if (inside.values.size() >= most_numbers_of_list) break;
+        const std::size_t before = inside.values.size();
+        add_features(place, element, inside);
+        equal += different.insert(key_of(std::span(inside.values).subspan(before))).second ? 0 : 1;
+    }
+    const auto with = [&](const char* words) { return [&place, words] { return words + place.text(); }; };
+    const auto [least, largest] = std::minmax_element(inside.values.begin(), inside.values.end());
+    features.add(static_cast<double>(list.size()), [&] { return place.text() + ".size()"; });
+    features.add(static_cast<double>(list.size() - equal), with("the number of different elements in "));
+    features.add(inside.values.empty() ? 0 : *least, with("the least number in "));
+    features.add(inside.values.empty() ? 0 : *largest, with("the largest number in "));
+}
+
+}
+
+/// Adds the numbers in `value`, which stands at `place`. Lists give their lengths, how many different elements they
+/// have, their least and their largest number; arrays of up to four elements are no lists.
 template <class Value>
 void add_features(const Place& place, const Value& value, Features& features)
 {
@@ -80,14 +132,10 @@ void add_features(const Place& place, const Value& value, Features& features)
     } else if constexpr (of::is_grid<Value>) {
         features.add(value.width, with(".width"));
         features.add(value.height, with(".height"));
+    } else if constexpr (detail::is_short_array<Value>) {
+        for (std::size_t i = 0; i < value.size(); ++i) add_features(place / element_names[i], value[i], features);
     } else if constexpr (of::List<Value>) {
-        Features inside{.named = false};
-        for (const auto& element : value)
-            if (inside.values.size() < most_numbers_of_list) add_features(place, element, inside);
-        const auto [least, largest] = std::minmax_element(inside.values.begin(), inside.values.end());
-        features.add(static_cast<double>(value.size()), with(".size()"));
-        features.add(inside.values.empty() ? 0 : *least, [&] { return "the least number in " + place.text(); });
-        features.add(inside.values.empty() ? 0 : *largest, [&] { return "the largest number in " + place.text(); });
+        detail::add_features_of_list(place, value, features);
     } else if constexpr (reflect::is_plain_struct<Value>) {
         reflect::for_each_field(
             value, [&](std::string_view name, const auto& field) { add_features(place / name, field, features); });
