@@ -37,10 +37,10 @@ struct Features {
 inline constexpr std::size_t most_numbers_of_list = 2000;
 
 /// Of arrays up to this length each element is looked at by itself.
-inline constexpr std::size_t most_elements = 4;
+inline constexpr std::size_t most_single_elements = 4;
 
 inline constexpr std::string_view component_names[] = {"x", "y", "z", "w"};
-inline constexpr std::string_view element_names[most_elements] = {"[0]", "[1]", "[2]", "[3]"};
+inline constexpr std::string_view element_names[most_single_elements] = {"[0]", "[1]", "[2]", "[3]"};
 
 namespace detail {
 
@@ -62,7 +62,7 @@ std::string words_of()
 template <class Value>
 inline constexpr bool is_short_array = false;
 template <class Element, std::size_t Count>
-inline constexpr bool is_short_array<std::array<Element, Count>> = Count <= most_elements;
+inline constexpr bool is_short_array<std::array<Element, Count>> = (Count <= most_single_elements);
 
 }
 
@@ -133,7 +133,11 @@ void add_features(const Place& place, const Value& value, Features& features)
         features.add(value.width, with(".width"));
         features.add(value.height, with(".height"));
     } else if constexpr (detail::is_short_array<Value>) {
-        for (std::size_t i = 0; i < value.size(); ++i) add_features(place / element_names[i], value[i], features);
+        [&]<std::size_t... Index>(std::index_sequence<Index...>)
+        {
+            (add_features(place / element_names[Index], value[Index], features), ...);
+        }
+        (std::make_index_sequence<std::tuple_size_v<Value>>{});
     } else if constexpr (of::List<Value>) {
         detail::add_features_of_list(place, value, features);
     } else if constexpr (reflect::is_plain_struct<Value>) {
