@@ -1,11 +1,11 @@
 #include <array>
 #include <cmath>
-#include <kit/magnitude.hpp>
 #include <span>
 #include <string>
 #include <umbral/input/script.hpp>
 #include <umbral/record/driver.hpp>
 
+#include "boxes.hpp"
 #include "windows.hpp"
 
 namespace umbral {
@@ -18,24 +18,6 @@ void record(Recorder& out, const Box& contents, int width, int height)
     const auto [low, high] = ask<visible_region>(out, contents, width, height);
     out.columns("region", "low/3, high/3");
     out.append("region", std::span<const float>(std::array{low.x, low.y, low.z, high.x, high.y, high.z}));
-}
-
-constexpr Box cube = {{-1, -1, -1}, {1, 1, 1}};
-
-/// A box that is written down, elsewhere and in other proportions: what is flat or mirrored remains so.
-Box varied(Variation& vary, const Box& box)
-{
-    if (!vary) return box;
-    const glm::vec3 low = vary.near(box.low, 1.0F);
-    glm::vec3 size = box.high - box.low;
-    for (int axis = 0; axis < 3; ++axis) size[axis] = vary.scaled(size[axis], 1.6F);
-    return {low, low + size};
-}
-
-std::vector<Box> varied(Variation& vary, std::vector<Box> boxes)
-{
-    for (Box& box : boxes) box = varied(vary, box);
-    return boxes;
 }
 
 /// A script that is written down, with other sizes of windows: equal ones remain so, and those of a pixel or none.
@@ -63,27 +45,11 @@ void known_matrices(Case& c, Recorder& out)
     for (const Box& box : boxes) out.append("projection", ask<projection_of>(out, varied(c.vary, box)));
 }
 
-Box random_box(Random& random, float away)
-{
-    Box box{away * random.in_cube(), {}};
-    const float x = random.uniform(0.5F, 4);
-    const float y = random.uniform(0.5F, 4);
-    box.high = box.low + glm::vec3(x, y, random.uniform(0.5F, 4));
-    return box;
-}
-
-// The same box with lengths in another unit: very small, or very large.
-Box in_unit(const Box& box, float unit) { return {unit * box.low, unit * box.high}; }
-
-Box box_in_any_unit(Random& random, float away)
-{
-    const Box box = random_box(random, away);
-    return in_unit(box, random_unit(random, -60, 60));
-}
-
 void random_matrices(Case& c, Recorder& out)
 {
-    for (int i = 0; i < 200; ++i) out.append("projection", ask<projection_of>(out, box_in_any_unit(c.random, 5)));
+    for (int i = 0; i < 200; ++i)
+        out.append("projection",
+                   ask<projection_of>(out, i % 4 == 3 ? nearly_flat(c.random) : box_in_any_unit(c.random, 5)));
 }
 
 // Mirrored, flat, or both: every second one is ordinary.
@@ -98,14 +64,17 @@ void odd_boxes(Case& c, Recorder& out)
         const float unit = random_unit(c.random, -60, 60);
         out.append("projection", ask<projection_of>(out, in_unit(box, unit)));
         out.append("ndc", ask<ndc_of>(out, in_unit(box, unit), unit * point));
+        if (i % 4 == 3) out.append("projection", ask<projection_of>(out, nearly_flat(c.random)));
     }
 }
 
-void record_points(Random& random, Recorder& out, float away)
+// Points in boxes, a part of them up to a quarter of the box outside.
+void record_points(Random& random, Recorder& out, float away, bool outside)
 {
     for (int i = 0; i < 100; ++i) {
         const Box box = box_in_any_unit(random, away);
-        const glm::vec3 share = 0.5F * (random.in_cube() + 1.0F);
+        const float reach = outside && i % 4 == 1 ? 0.75F : 0.5F;
+        const glm::vec3 share = reach * random.in_cube() + 0.5F;
         out.append("ndc", ask<ndc_of>(out, box, box.low + share * (box.high - box.low)));
     }
 }
@@ -128,7 +97,8 @@ void random_regions(Case& c, Recorder& out)
         const auto mirrored = static_cast<glm::vec3::length_type>(c.random.below(3));
         if (i % 3 == 1) std::swap(contents.low[mirrored], contents.high[mirrored]);
         const int width = 1 + static_cast<int>(c.random.below(2000));
-        record(out, contents, width, 1 + static_cast<int>(c.random.below(2000)));
+        const int height = 1 + static_cast<int>(c.random.below(2000));
+        record(out, i % 4 == 0 ? fitting_box(c.random, width, height) : contents, width, height);
     }
 }
 
@@ -145,21 +115,29 @@ void odd_windows(Case& c, Recorder& out)
                          {{1, 2, 3}, {1, 2, 3}},
                          {{4, 0, 1}, {1, 2, -1}},
                          {{1, 9, 0}, {5, 2, 1}}};
-    for (const glm::ivec2& size : sizes)
+    const auto ordinary = [&] {
+        record(out, random_box(c.random, 4), 700, 300 + static_cast<int>(c.random.below(800)));
+    };
+    for (const glm::ivec2& size : sizes) {
         for (const Box& contents : boxes) {
             record(out, varied(c.vary, contents), size.x, size.y);
-            record(out, random_box(c.random, 4), 700, 300 + static_cast<int>(c.random.below(800)));
+            ordinary();
         }
+        const Box fitting = fitting_box(c.random, std::max(size.x, 1), std::max(size.y, 1));
+        record(out, fitting, size.x, size.y);
+        ordinary();
+    }
 }
 
 // A window, and all events up to the one at which something was shown.
-std::string session_text(const input::EventScript& script, glm::dvec2 content_scale, const LoggedViewer::Moment& moment)
+std::string session_text(const input::EventScript& script, glm::dvec2 content_scale, const LoggedViewer::Moment& moment,
+                         const std::string& start)
 {
     constexpr std::size_t most = 8;
     const std::size_t count = std::min(moment.events, script.size());
     const std::size_t left_out = count > most ? count - most : 0;
-    std::string text = "// a window of 640 x 480, " + literal::of(content_scale.x) + " pixels a screen coordinate\n" +
-                       "keep_proportions(window);\n";
+    std::string text =
+        "// a window of 640 x 480, " + literal::of(content_scale.x) + " pixels a screen coordinate\n" + start + '\n';
     if (left_out > 0) text += "// … " + std::to_string(left_out) + " events left out\n";
     const auto at = [&](std::size_t place) { return script.begin() + static_cast<std::ptrdiff_t>(place); };
     text += input::to_text({at(left_out), at(count)});
@@ -167,10 +145,10 @@ std::string session_text(const input::EventScript& script, glm::dvec2 content_sc
 }
 
 void append_rows(Recorder& out, const input::EventScript& script, glm::dvec2 content_scale, const LoggedViewer& viewer,
-                 float code)
+                 float code, const std::string& start = "keep_proportions(window);")
 {
     for (std::size_t i = 0; i < viewer.rows.size(); ++i) {
-        ask_in_words(out, [&] { return session_text(script, content_scale, viewer.moments[i]); });
+        ask_in_words(out, [&] { return session_text(script, content_scale, viewer.moments[i], start); });
         std::vector<float> row = viewer.rows[i];
         row[0] = code;
         out.append("commands", std::span<const float>(row));
@@ -230,6 +208,29 @@ void two_windows(Case& c, Recorder& out)
     append_rows(out, narrow, {1, 1}, right, 2);
 }
 
+// A window that has no pixels, or has had events, when keep_proportions is called; then it is called again, for another
+// viewer.
+void late_windows(Case& c, Recorder& out)
+{
+    out.text("commands.names", names);
+    const auto record_late = [&](const char* written, const std::vector<std::size_t>& after, const std::string& start) {
+        LoggedViewer viewer(varied(c.vary, std::vector<Box>{tile, cube}));
+        LoggedViewer heir(varied(c.vary, std::vector<Box>{{{0, 0, 0}, {5, 1, 1}}, {{-1, 2, 0}, {0, 6, 1}}}));
+        const input::EventScript script = varied_script(c.vary, written);
+        play_registered(script, after, viewer, heir);
+        append_rows(out, script, {1, 1}, viewer, 1, start);
+        append_rows(out, script, {1, 1}, heir, 2, start);
+    };
+    record_late("0.1 resize 0 0\n0.2 resize 500 300\n0.3 resize 300 800\n0.4 resize 640 200\n", {1},
+                "// keep_proportions(window) after the first event");
+    record_late("0.1 resize 0 400\n0.2 resize 410 310\n0.3 key A press\n0.4 resize 600 800\n", {1},
+                "// keep_proportions(window) after the first event");
+    record_late("0.1 resize 300 700\n0.2 resize 900 500\n0.3 resize 320 480\n0.4 resize 700 90\n", {0, 2},
+                "// keep_proportions(window) at once, and after two events for a second viewer");
+    record_late("0.1 resize 350 720\n0.2 key A press\n0.3 resize 330 470\n0.4 resize 720 80\n", {1, 2},
+                "// keep_proportions(window) after the first event, and after the next one for a second viewer");
+}
+
 void random_windows(Case& c, Recorder& out)
 {
     out.text("commands.names", names);
@@ -249,10 +250,10 @@ const Driver driver = {
     {"known boxes", known_matrices},
     {"random boxes", random_matrices},
     {"odd boxes", odd_boxes},
-    {"points", [](Case& c, Recorder& out) { record_points(c.random, out, 4); }},
+    {"points", [](Case& c, Recorder& out) { record_points(c.random, out, 4, true); }},
     {"far away",
      [](Case& c, Recorder& out) {
-         for (const float away : {1e3F, 1e4F, 1e5F, 1e6F}) record_points(c.random, out, away);
+         for (const float away : {1e3F, 1e4F, 1e5F, 1e6F}) record_points(c.random, out, away, false);
      }},
     {"known windows", known_regions},
     {"random windows", random_regions},
@@ -263,6 +264,7 @@ const Driver driver = {
          record_commands(out, varied_script(c.vary, resizing), {2, 2}, {varied(c.vary, tile)});
      }},
     {"two windows", two_windows},
+    {"late windows", late_windows},
     {"random sessions", random_windows},
     {"picture", [](Case& c, Recorder& out) { out.image("windows", windows_picture(out, c.vary)); }},
 };

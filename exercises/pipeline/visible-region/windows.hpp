@@ -59,6 +59,29 @@ inline void play(const input::EventScript& script, glm::dvec2 content_scale, Log
     }
 }
 
+/// Plays a script to a window of 640 x 480 that calls keep_proportions after so many events, one time or more. From its
+/// second time on the window belongs to `heir`.
+inline void play_registered(const input::EventScript& script, const std::vector<std::size_t>& after,
+                            LoggedViewer& viewer, LoggedViewer& heir)
+{
+    const input::Headless session(script, {});
+    glfwInit();
+    GLFWwindow* window = glfwCreateWindow(640, 480, "Umbral", nullptr, nullptr);
+    std::size_t times = 0;
+    for (std::size_t event = 0; !session.script_is_over(); ++event) {
+        viewer.event = heir.event = event;
+        if (times < after.size() && event == after[times]) {
+            glfwSetWindowUserPointer(window, static_cast<Viewer*>(times == 0 ? &viewer : &heir));
+            keep_proportions(window);
+            ++times;
+        }
+        viewer.event = heir.event = event + 1;
+        viewer.next();
+        heir.next();
+        glfwWaitEvents();
+    }
+}
+
 /// Plays a script to the first of two windows that are there at the same time, of 640 x 480 and 300 x 200. Before each
 /// of its events the program gives the second one another size, which comes as an event of its own.
 inline void play_beside(const input::EventScript& script, LoggedViewer& viewer, LoggedViewer& other)
