@@ -9,11 +9,9 @@ namespace {
 
 using namespace lighting;
 
-// Three rows, one for each coordinate; absent if there is no half vector.
 void record_half(Recorder& out, const glm::vec3& l, const glm::vec3& v)
 {
-    const std::optional<glm::vec3> h = ask<half_vector>(out, l, v);
-    for (int i = 0; i < 3; ++i) out.append("half", h ? std::optional<float>((*h)[i]) : std::nullopt);
+    out.append("half", ask<half_vector>(out, l, v));
 }
 
 void record(Recorder& out, const Glance& g, std::string_view name = "highlight")
@@ -98,9 +96,7 @@ void degenerate(Random& random, Recorder& out)
         for (const bool is_none : {first, !first}) {
             const Glance& asked = is_none ? none : usual;
             record(out, asked);
-            const std::optional<glm::vec3> h =
-                ask<half_vector>(out, asked.l, is_none && i % 4 == 0 ? -asked.l : asked.v);
-            out.append("half", h ? std::optional<float>(h->x) : std::nullopt);
+            record_half(out, asked.l, is_none && i % 4 == 0 ? -asked.l : asked.v);
         }
         record(out, shine_without_direction(random, i % 2 == 0));
     }
