@@ -10,20 +10,14 @@ namespace {
 
 using namespace lighting;
 
-// The point and 1; zeros if there is none.
-void append(Recorder& out, std::string_view name, const std::optional<glm::vec3>& point)
-{
-    out.append(name, point ? glm::vec4(*point, 1) : glm::vec4(0));
-}
-
 void record_seen(Recorder& out, const LitSphere& q)
 {
-    append(out, "brightest seen", ask<brightest_seen>(out, q.sphere, q.light, q.eye));
+    out.append("brightest seen", ask<brightest_seen>(out, q.sphere, q.light, q.eye));
 }
 
 void record_specular(Recorder& out, const LitSphere& q, std::string_view name = "specular")
 {
-    append(out, name, ask<brightest_specular>(out, q.sphere, q.light, q.eye));
+    out.append(name, ask<brightest_specular>(out, q.sphere, q.light, q.eye));
 }
 
 void record(Recorder& out, const LitSphere& q)
