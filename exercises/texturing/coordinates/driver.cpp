@@ -1,3 +1,4 @@
+#include <kit/magnitude.hpp>
 #include <kit/refusal.hpp>
 #include <limits>
 #include <umbral/record/driver.hpp>
@@ -91,11 +92,24 @@ void record_grid(Recorder& out, int columns, int rows)
         out.append("table", i < grid.size() ? grid[i] : glm::vec2(std::numeric_limits<float>::quiet_NaN()));
 }
 
+// More columns or rows than 16 bits count: how many pairs there are, and those at the ends of rows.
+void record_long_grid(Recorder& out, int columns, int rows)
+{
+    const std::vector<glm::vec2> grid = ask<parametric_coordinates>(out, columns, rows);
+    out.append("sizes", static_cast<std::int32_t>(grid.size()));
+    const std::size_t row = static_cast<std::size_t>(columns) + 1;
+    const std::size_t size = row * (static_cast<std::size_t>(rows) + 1);
+    for (const std::size_t place : {std::size_t{1}, row - 1, row, size - row, size - 1})
+        out.append("table", place < grid.size() ? grid[place] : glm::vec2(std::numeric_limits<float>::quiet_NaN()));
+}
+
 void grids(Random& random, Recorder& out)
 {
     for (const glm::ivec2 size : {glm::ivec2(4, 2), {1, 1}, {1, 3}, {5, 1}, {49, 3}, {3, 49}})
         record_grid(out, size.x, size.y);
     record_grid(out, 2 + static_cast<int>(random.below(12)), 2 + static_cast<int>(random.below(12)));
+    record_long_grid(out, 32'768 + static_cast<int>(random.below(60'000)), 1);
+    record_long_grid(out, 1, 32'768 + static_cast<int>(random.below(60'000)));
     for (const glm::ivec2 size : {glm::ivec2(0, 3), {3, 0}, {0, 0}, {-2, 4}, {4, -1}, {-1, -1}}) {
         const bool good_first = random.below(2) == 0;
         for (const bool good : {good_first, !good_first})
@@ -168,9 +182,24 @@ void far_plane(Random& random, Recorder& out)
     }
 }
 
+// Planes and points near them in very small and very large units of length: nothing is too near to count.
+void plane_in_any_unit(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) {
+        const TexturePlane plane = random_plane(random, 1);
+        const float unit = random_unit(random, -100, 100);
+        const float u = random.uniform(0.4F, 1) * (random.below(2) == 0 ? 1.0F : -1.0F);
+        const glm::vec3 aside = random.uniform(-1, 1) * cross(plane.u_axis, plane.v_axis);
+        const glm::vec3 point = plane.origin + u * plane.u_axis + random.uniform(-1, 1) * plane.v_axis + aside;
+        out.append("plane", ask<planar_coordinates>(out, unit * point,
+                                                    TexturePlane{unit * plane.origin, plane.u_axis, plane.v_axis}));
+    }
+}
+
 // Sizes whose squares overflow or vanish in float, and latitudes where arc sine and arc cosine lose half the digits.
 void extreme(Random& random, Recorder& out)
 {
+    plane_in_any_unit(random, out);
     for (int i = 0; i < 300; ++i) {
         const glm::vec3 point = random_point(random) * std::pow(10.0F, random.uniform(25, 37));
         const glm::vec3 speck = random_point(random) * std::pow(10.0F, random.uniform(-36, -25));
@@ -190,7 +219,7 @@ void extreme(Random& random, Recorder& out)
         const glm::vec3 tall(point.x, 3e38F * random.uniform(-1, 1), point.z);
         out.append("cylinder", ask<cylindrical_coordinates>(out, tall, low, high));
         // Thin ones have a height too.
-        const float thin = std::pow(10.0F, random.uniform(-30, -5));
+        const float thin = std::pow(10.0F, i % 2 == 0 ? random.uniform(-30, -5) : random.uniform(-36, -28));
         const float bottom = thin * random.uniform(-4, 4);
         const glm::vec3 on_ring(corners[0].x, bottom + thin * random.uniform(0, 1), corners[0].z);
         out.append("cylinder", ask<cylindrical_coordinates>(out, on_ring, bottom, bottom + thin));
