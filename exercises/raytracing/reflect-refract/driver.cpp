@@ -14,11 +14,9 @@ void record_mirrored(Recorder& out, const glm::vec3& v, const glm::vec3& n)
     out.append("mirrored", ask<mirrored_direction>(out, v, n));
 }
 
-// Three rows, one for each coordinate; absent if there is none.
 void record_refracted(Recorder& out, const SurfaceGlance& glance)
 {
-    const std::optional<glm::vec3> t = ask<refracted_direction>(out, glance.v, glance.n, glance.outside, glance.inside);
-    for (int i = 0; i < 3; ++i) out.append("refracted", t ? std::optional<float>((*t)[i]) : std::nullopt);
+    out.append("refracted", ask<refracted_direction>(out, glance.v, glance.n, glance.outside, glance.inside));
 }
 
 void record_by_hand(Variation& vary, Recorder& out)
@@ -70,8 +68,14 @@ void record_random(Random& random, Recorder& out)
         record_mirrored(out, v, random.unit_vector());
         SurfaceGlance glance = refracted_glance(random);
         // Every sixth time the media are hardly different.
-        const float hardly = std::pow(10.0F, random.uniform(-4, -2)) * (random.below(2) == 0 ? 1.0F : -1.0F);
+        const float hardly = std::pow(10.0F, random.uniform(-5, -2)) * (random.below(2) == 0 ? 1.0F : -1.0F);
         if (i % 6 == 0) glance.inside = glance.outside * (1 + hardly);
+        // Every sixth time light goes on into a far denser one.
+        if (i % 6 == 3) {
+            const float rare = random.uniform(1, 1.5F);
+            const float dense = rare * std::pow(10.0F, random.uniform(1, 4));
+            glance = arriving(rare, dense, 0.98 * random.uniform_double(), random);
+        }
         record_refracted(out, glance);
         auto [rare, dense] = random_indices(random);
         // Media that are nearly the same, and media that have little in common. Next to a power of two the quotient is
@@ -79,7 +83,7 @@ void record_random(Random& random, Recorder& out)
         if (i % 3 == 0) dense = rare * (1 + std::pow(10.0F, random.uniform(-3, 2)));
         if (i % 6 == 1) {
             dense = std::exp2(static_cast<float>(random.below(3)));
-            rare = dense * (1 - std::exp2(random.uniform(-17, -7)));
+            rare = dense * (1 - std::exp2(random.uniform(-23, -7)));
         }
         const bool comes_out = random.below(3) == 0;
         out.append("critical", ask<critical_angle>(out, comes_out ? rare : dense, comes_out ? dense : rare));
@@ -106,7 +110,12 @@ void record_edges(Random& random, Recorder& out)
         n[i % 3] = random.below(2) == 0 ? 1 : -1;
         glm::vec3 across(0);
         across[(i + 1) % 3] = random.below(2) == 0 ? 1 : -1;
-        const glm::vec3 near_normal = normalize(n + random.uniform(0, 1e-3F) * across);
+        // Every second n is the opposite of an axis, with zeros that are -0: then all products of n and an axis are.
+        if (i % 2 == 0) {
+            n = abs(n) * -1.0F;
+            across = abs(across);
+        }
+        const glm::vec3 near_normal = normalize(n + std::pow(10.0F, random.uniform(-5, -3)) * across);
         const float aside = std::pow(10.0F, random.uniform(-6, -2)) * (random.below(2) == 0 ? 1.0F : -1.0F);
         const glm::vec3 near_surface = normalize(across + aside * n);
         const float longer = i % 2 == 0 ? 1.0F : std::ldexp(1.0F, static_cast<int>(random.below(21)) - 10);
@@ -151,7 +160,26 @@ void record_lengths(Random& random, Recorder& out)
 
 void record_critical(Random& random, Recorder& out)
 {
-    for (const SurfaceGlance& glance : critical_glances(random, 200)) record_refracted(out, glance);
+    for (const SurfaceGlance& glance : critical_glances(random, 160)) record_refracted(out, glance);
+    for (int i = 0; i < 120; ++i) record_refracted(out, exactly_critical_glance(random));
+}
+
+void record_grazing(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 120; ++i) {
+        const SurfaceGlance glance = grazing_glance(random);
+        record_refracted(out, glance);
+        record_mirrored(out, glance.v, glance.n);
+    }
+}
+
+void record_critical_angles(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 120; ++i) {
+        const auto [rare, dense] = hard_indices(random, i);
+        const bool comes_out = random.below(4) == 0;
+        out.append("critical", ask<critical_angle>(out, comes_out ? rare : dense, comes_out ? dense : rare));
+    }
 }
 
 void record_picture(Variation& vary, Recorder& out)
@@ -172,6 +200,8 @@ const Driver driver = {
     {"edges", [](Case& c, Recorder& out) { record_edges(c.random, out); }},
     {"lengths", [](Case& c, Recorder& out) { record_lengths(c.random, out); }},
     {"near the critical angle", [](Case& c, Recorder& out) { record_critical(c.random, out); }},
+    {"grazing", [](Case& c, Recorder& out) { record_grazing(c.random, out); }},
+    {"critical angles", [](Case& c, Recorder& out) { record_critical_angles(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { record_picture(c.vary, out); }},
 };
 
