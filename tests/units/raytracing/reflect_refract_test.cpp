@@ -165,6 +165,30 @@ TEST(ReflectRefractAccuracy, reference_keeps_its_guarantee)
     }
 }
 
+// What the hard checks ask: sin² differs from 1 by 1e-13 or more, and not through rounding.
+TEST(ReflectRefractAccuracy, reference_knows_rays_at_the_critical_angle_and_along_the_surface)
+{
+    constexpr std::uint64_t seed = 26007;
+    const auto& reference = *tests::solution_table<ReflectRefractFunctions>(REFERENCE_MODULE);
+    const auto& oracle = *tests::solution_table<ReflectRefractFunctions>(ORACLE_MODULE);
+    Random random(seed);
+    int reflected = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", glance " + std::to_string(i));
+        const SurfaceGlance g = i % 2 == 0 ? exactly_critical_glance(random) : grazing_glance(random);
+        const auto got = reference.refracted(g.v, g.n, g.outside, g.inside);
+        const auto exact = oracle.refracted(g.v, g.n, g.outside, g.inside);
+        ASSERT_EQ(got.has_value(), exact.has_value());
+        if (got) expect_near(*got, *exact);
+        if (i % 2 == 1) continue;
+        reflected += got ? 0 : 1;
+        if (got) {
+            ASSERT_LT(std::abs(dot(glm::dvec3(*got), normalize(glm::dvec3(g.n)))), 1e-4);
+        }
+    }
+    EXPECT_NEAR(reflected, 5000, 300);
+}
+
 TEST(ReflectRefractAccuracy, float_fails_near_the_critical_angle)
 {
     const auto& in_float = *tests::solution_table<ReflectRefractFunctions>(IN_FLOAT_MODULE);
