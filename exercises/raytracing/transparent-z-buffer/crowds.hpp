@@ -6,6 +6,7 @@
 #include <umbral/core/random.hpp>
 #include <umbral/raytracing/transparent_z_buffer.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/not_finite.hpp>
 #include <umbral/record/variation.hpp>
 #include <vector>
 
@@ -145,8 +146,7 @@ inline GlassTask three_sheets(Variation& vary)
     return task;
 }
 
-/// A row for each cell: its light and its depth, infinities as numbers that no depth here has. NaN if the frame has
-/// another size than it had.
+/// A row for each cell: its light and its depth. NaN if the frame has another size than it had.
 inline std::vector<glm::vec4> rows_of(const GlassFrame& frame, int width, int height)
 {
     const auto cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -155,8 +155,7 @@ inline std::vector<glm::vec4> rows_of(const GlassFrame& frame, int width, int he
                           frame.depths.cells.size() == cells;
     std::vector<glm::vec4> rows(cells, glm::vec4(std::numeric_limits<float>::quiet_NaN()));
     for (std::size_t i = 0; is_whole && i < cells; ++i) {
-        const float depth = frame.depths.cells[i];
-        rows[i] = glm::vec4(frame.light.cells[i], std::isinf(depth) ? std::copysign(1000.0F, depth) : depth);
+        rows[i] = glm::vec4(frame.light.cells[i], recordable(frame.depths.cells[i]));
     }
     return rows;
 }

@@ -1,6 +1,7 @@
 #include <umbral/record/driver.hpp>
 
 #include "crowds.hpp"
+#include "extremes.hpp"
 #include "glasses.hpp"
 
 namespace umbral {
@@ -19,13 +20,17 @@ void record_drawn(Recorder& out, GlassFrame frame, const Fragments& fragments)
 
 void record_empty(Case& what, Recorder& out)
 {
-    for (int i = 0; i < 8; ++i) {
-        const int width = 1 + static_cast<int>(what.random.below(6));
-        const int height = 1 + static_cast<int>(what.random.below(6));
+    out.columns("sizes", "columns, rows, columns of depths, rows of depths");
+    for (int i = 0; i < 12; ++i) {
+        // Every third one has no cell.
+        const int width = i % 6 == 0 ? 0 : 1 + static_cast<int>(what.random.below(6));
+        const int height = i % 6 == 3 ? 0 : 1 + static_cast<int>(what.random.below(6));
         // Each size twice, before different backgrounds.
         for (const float most : {1.0F, 5.0F}) {
             const GlassFrame frame = ask<empty_glass_frame>(out, width, height, random_light(what.random, most));
             for (const glm::vec4& row : rows_of(frame, width, height)) out.append("cells", row);
+            out.append("sizes",
+                       glm::vec4(frame.light.width, frame.light.height, frame.depths.width, frame.depths.height));
         }
     }
 }
@@ -54,6 +59,30 @@ void record_blended(Case& what, Recorder& out)
         const GlassTask task = random_task(what.random);
         record_drawn<blend_glass>(out, task.frame, task.glass);
     }
+}
+
+// Each kind of rare fragments several times, with all functions.
+void record_extremes(Case& what, Recorder& out)
+{
+    const auto record = [&](const char* light, const GlassFrame& frame) {
+        for (const glm::vec4& row : rows_of(frame, 4, 1)) {
+            out.append(light, glm::vec3(row));
+            out.append("depths", row.w);
+        }
+    };
+    for (int i = 0; i < 6; ++i)
+        for (const Rare kind : rare_kinds) {
+            const GlassTask task = rare_task(what.random, kind);
+            GlassFrame frame = task.frame;
+            ask<draw_opaque>(out, frame, task.opaque);
+            record("opaque light", frame);
+            frame = task.frame;
+            ask<filter_glass>(out, frame, task.glass);
+            record("filtered light", frame);
+            frame = task.frame;
+            ask<blend_glass>(out, frame, task.glass);
+            record("blended light", frame);
+        }
 }
 
 // One frame through all functions, some of them twice: nothing stays behind from a call, and none closes the frame.
@@ -97,6 +126,7 @@ const Driver driver = {
          }
      }},
     {"in turn", record_in_turn},
+    {"extremes", record_extremes},
 };
 
 }
