@@ -18,9 +18,8 @@ std::optional<float> as_row(std::optional<double> value)
 
 void record_pixel(Recorder& out, glm::dvec2 cursor, glm::ivec2 window, glm::ivec2 framebuffer)
 {
-    const std::optional<glm::ivec2> pixel = ask<cursor_pixel>(out, cursor, window, framebuffer);
-    out.append("column", as_row(pixel ? std::optional<double>(pixel->x) : std::nullopt));
-    out.append("row", as_row(pixel ? std::optional<double>(pixel->y) : std::nullopt));
+    out.columns("pixel", "column, row");
+    out.append("pixel", ask<cursor_pixel>(out, cursor, window, framebuffer));
 }
 
 /// Windows with 1, 1.5, 2 and 0.5 pixels for each coordinate, in both directions alike or not; inside, at borders and
@@ -37,11 +36,11 @@ void record_pixels(Recorder& out, Random& random)
         const double x = between(-100, 140 * 64, random) / 64.0 - 9;
         record_pixel(out, {x, between(-100, 140 * 64, random) / 64.0 - 20}, window, framebuffer);
     }
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 60; ++i) {
         const glm::ivec2 window(between(2000, 6000, random), between(2000, 6000, random));
         const glm::ivec2 framebuffer(between(2000, 9000, random), between(2000, 9000, random));
         const auto beside_border = [&](int pixels) {
-            const double hair = std::pow(10.0, between(-6.0, -4.0, random));
+            const double hair = std::pow(10.0, between(-9.7, -4.0, random));
             return between(1 - pixels, 2 * pixels, random) + (random.below(2) == 0 ? hair : -hair);
         };
         const double x = beside_border(framebuffer.x);
@@ -71,6 +70,16 @@ void record_linear(Variation& vary, Recorder& out)
             out.append("world", ask<pixel_in_world>(out, pixel, other(shown), glm::ivec2(4, 2)));
 }
 
+/// Limits of thousands, as of a map in metres, that put the pixel near the origin.
+ViewLimits map_limits(glm::ivec2 pixel, glm::ivec2 size, Random& random)
+{
+    const double width = between(3e3, 1e4, random);
+    const double height = between(3e3, 1e4, random);
+    const double left = between(-20.0, 20.0, random) - width * (pixel.x + 0.5) / size.x;
+    const double top = between(-20.0, 20.0, random) + height * (pixel.y + 0.5) / size.y;
+    return {left, left + width, top - height, top};
+}
+
 /// One in four is mirrored, in each direction on its own.
 ViewLimits random_limits(Random& random)
 {
@@ -88,8 +97,8 @@ void record_random_linear(Recorder& out, Random& random)
 {
     for (int i = 0; i < 400; ++i) {
         const glm::ivec2 size(between(1, 1500, random), between(1, 1000, random));
-        const ViewLimits limits = random_limits(random);
         const glm::ivec2 pixel(between(-9, size.x + 8, random), between(-9, size.y + 8, random));
+        const ViewLimits limits = i % 4 == 0 ? map_limits(pixel, size, random) : random_limits(random);
         out.append("world", ask<pixel_in_world>(out, pixel, limits, size));
     }
 }
@@ -98,10 +107,10 @@ void record_random_linear(Recorder& out, Random& random)
 void record_point(Recorder& out, const SnapCamera& camera, glm::ivec2 pixel, const SnapPlane& plane, double size = 1)
 {
     const SnapCamera sized = in_a_world_of(size, camera);
-    const std::optional<glm::dvec3> point = ask<point_on_plane>(out, pixel, sized.size, sized.view, sized.projection,
-                                                                SnapPlane{plane.normal, size * plane.offset});
-    constexpr const char* names[] = {"x", "y", "z"};
-    for (int i = 0; i < 3; ++i) out.append(names[i], as_row(point ? std::optional((*point)[i] / size) : std::nullopt));
+    std::optional<glm::dvec3> point = ask<point_on_plane>(out, pixel, sized.size, sized.view, sized.projection,
+                                                          SnapPlane{plane.normal, size * plane.offset});
+    if (point) *point /= size;
+    out.append("point", point);
 }
 
 /// By hand: cameras without rotation, the floor, walls, normals that are not unit; planes behind, along the ray, and
@@ -139,9 +148,9 @@ void record_planes(Variation& vary, Recorder& out)
         for (const SnapPlane& plane : planes)
             for (const glm::ivec2& pixel : {glm::ivec2(0, 3), {3, 1}, {2, 2}}) record_turned(camera, pixel, plane);
     // Planes that lean by less than a millionth away from the rays of these pixels, which are (1, -1, -4) / 4 and
-    // (3, 1, -4) / 4 for the first camera and -z for the second one, and by more than what is parallel. They are met a
-    // few steps ahead.
-    for (const double lean : {0x1p-26, -0x1p-23}) {
+    // (3, 1, -4) / 4 for the first camera and -z for the second one: by more than what is parallel, and by less. They
+    // would be met a few steps ahead.
+    for (const double lean : {0x1p-26, -0x1p-23, 0x1p-31, -0x1p-33, 0x1p-35}) {
         record_turned(wide, {2, 2}, {{1, 1, lean}, 2 - 8 * lean});
         record_turned(wide, {3, 1}, {{1, -3, lean}, -6 - 5 * lean});
         record_turned(flat, {2, 2}, {{1, 2, lean}, 4 - 6 * lean});
