@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::string_view format_names[] = {"ascii", "binary_little_endian", "binary_big_endian"};
 constexpr std::string_view blanks = " \t\r";
+constexpr auto native = std::endian::native == std::endian::big ? PlyFormat::big_endian : PlyFormat::little_endian;
 
 enum class Role { x, y, z, corners, none };  ///< what a property is to the mesh
 
@@ -65,17 +66,11 @@ std::optional<double> parsed(std::string_view word)
     return std::is_floating_point_v<Number> && is_tiny(word) ? std::optional(0.0) : std::nullopt;
 }
 
-/// Whether bytes must change their order.
-bool is_foreign(PlyFormat format)
-{
-    return (format == PlyFormat::little_endian) != (std::endian::native == std::endian::little);
-}
-
 /// The file, read from its beginning to its end: lines of words, and from where it is binary, bytes.
 class File {
 public:
     explicit File(std::string_view text) : text_(text) {}
-    [[nodiscard]] std::string_view line() const { return line_; }
+    [[nodiscard]] std::string_view line() const { return line_.substr(0, 40); }  ///< as far as errors show it
     bool next_line()
     {
         if (next_ == text_.size()) return false;
@@ -94,24 +89,20 @@ public:
         return word;
     }
 
-    void begin_data(PlyFormat format) { binary_ = format != PlyFormat::ascii, swap_ = is_foreign(format); }
+    void begin_data(PlyFormat format) { binary_ = format != PlyFormat::ascii, swap_ = format != native; }
     void begin_element()
     {
         if (!binary_ && !next_line_with_words()) refuse(PlyProblem::truncated, "as much data as the header promises");
     }
     void end_element()
     {
-        if (!word().empty()) refuse(PlyProblem::line_length, "fewer numbers", line_);
+        if (!word().empty()) refuse(PlyProblem::line_length, "fewer numbers", line());
     }
 
     /// The next number: a double holds the values of all types exactly.
     double number(PlyType type) { return binary_ ? bytes(type) : decimal(type); }
-
     /// The number that came last, as it stands in the file.
-    [[nodiscard]] std::string shown(double number) const
-    {
-        return binary_ ? std::to_string(number) : std::string(last_word_);
-    }
+    [[nodiscard]] std::string shown(double x) const { return binary_ ? std::to_string(x) : std::string(last_word_); }
 
     void end_data()
     {
@@ -123,9 +114,7 @@ public:
     [[noreturn]] void refuse(PlyProblem problem, const char* expected, std::string_view got = {}) const
     {
         std::string text = (binary_ ? "byte " : "line ") + std::to_string(place_) + ": expected " + expected;
-        // Numbers are told in full, lines are not.
-        const bool is_number = problem == PlyProblem::number || problem == PlyProblem::index;
-        if (!got.empty()) text += ", got '" + std::string(got.substr(0, is_number ? got.npos : 40)) + "'";
+        if (!got.empty()) text += ", got '" + std::string(got) + "'";
         throw PlyError(problem, place_, text);
     }
 
@@ -140,7 +129,7 @@ private:
     double decimal(PlyType type)
     {
         const std::string_view text = last_word_ = word();
-        if (text.empty()) refuse(PlyProblem::line_length, "more numbers", line_);
+        if (text.empty()) refuse(PlyProblem::line_length, "more numbers", line());
         const auto number = with_ply_type(type, [text](auto zero) { return parsed<decltype(zero)>(text); });
         if (!number) refuse(PlyProblem::number, "a number of the property's type", text);
         return *number;
@@ -280,11 +269,11 @@ PolygonMesh read_ply(std::span<const std::byte> bytes)
 std::string write_ply(const PolygonMesh& mesh, PlyFormat format)
 {
     const bool is_short = std::ranges::all_of(mesh.faces, [](const auto& face) { return face.size() < 256; });
-    std::string file = "ply\nformat " + std::string(format_names[static_cast<int>(format)]) + " 1.0\n";
-    file += "element vertex " + std::to_string(mesh.positions.size()) +
-            "\nproperty float x\nproperty float y\nproperty float z\n";
-    file += "element face " + std::to_string(mesh.faces.size()) + "\nproperty list " + (is_short ? "uchar" : "uint") +
-            " uint vertex_indices\nend_header\n";
+    std::string file = "ply\nformat " + std::string(format_names[static_cast<int>(format)]) + " 1.0\nelement vertex " +
+                       std::to_string(mesh.positions.size()) +
+                       "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+                       std::to_string(mesh.faces.size()) + "\nproperty list " + (is_short ? "uchar" : "uint") +
+                       " uint vertex_indices\nend_header\n";
     // In ASCII with a character after each number.
     const auto put = [&]<class Number>(Number number, char after) {
         if (format == PlyFormat::ascii) {
@@ -292,7 +281,7 @@ std::string write_ply(const PolygonMesh& mesh, PlyFormat format)
             file.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr) += after;
         } else {
             auto bytes = std::bit_cast<std::array<char, sizeof number>>(number);
-            if (is_foreign(format)) std::reverse(bytes.begin(), bytes.end());
+            if (format != native) std::reverse(bytes.begin(), bytes.end());
             file.append(bytes.data(), bytes.size());
         }
     };

@@ -130,9 +130,8 @@ TEST(Ask, names_the_numbers_in_a_question)
     });
     EXPECT_EQ(text(tensors, "?functions"),
               "umbral::sample::meet\t0.origin.x\t0.origin.y\t0.origin.z\t0.direction.x\t0.direction.y\t0.direction.z\t"
-              "0.t_min\t0.t_max\t1.centre.x\t1.centre.y\t1.centre.z\t1.radius\n"
-              "umbral::sample::sum\t0.size()\tthe number of different elements in 0\tthe least number in 0\t"
-              "the largest number in 0\t1|front|back\n"
+              "0.t_min\t0.t_max\t1.centre.x\t1.centre.y\t1.centre.z\t1.radius\numbral::sample::sum\t0.size()\t"
+              "the number of different elements in 0\tthe least number in 0\tthe largest number in 0\t1|front|back\n"
               "umbral::sample::is_odd\t0|false|true\n");
     EXPECT_EQ(numbers<double>(tensors, "?features 1"), (std::vector<double>{1, 2, 2, -7, 5, 1}));
 }
