@@ -49,11 +49,20 @@ void by_hand(Variation& vary, Recorder& out)
     const Grid<glm::vec4> field = heights(4, 2, {0, 1, 3, 0, 2, 0, 1, 4});
     for (const glm::vec2 uv :
          {glm::vec2(0.375F, 0.25F), {0.375F, 0.75F}, {0.125F, 0.25F}, {0.875F, 0.75F}, {0.5F, 0.25F}, {0.625F, 0.5F}})
-        for (const float k : {1.0F, -0.5F}) out.append("slopes", ask<slopes>(out, field, uv, k));
+        for (const float k : {1.0F, -0.5F, 0.0F}) out.append("slopes", ask<slopes>(out, field, uv, k));
 
     const Grid<glm::vec4> narrow = heights(2, 4, {0, 1, 2, 4, 1, 0, 3, 2});
     for (const glm::vec2 uv : {glm::vec2(0.25F, 0.375F), {0.75F, 0.625F}, {0.5F, 0.125F}})
         out.append("slopes", ask<slopes>(out, narrow, uv, 1));
+
+    std::vector<float> written;
+    for (int i = 0; i < 128; ++i) written.push_back(static_cast<float>(i * i % 7));
+    const Grid<glm::vec4> wide = heights(128, 1, written);
+    const Grid<glm::vec4> tall = heights(1, 128, written);
+    for (const float at : {0.00390625F, 0.26953125F, 0.69140625F}) {
+        out.append("slopes", ask<slopes>(out, wide, glm::vec2(at, 0.5F), 0.0625F));
+        out.append("slopes", ask<slopes>(out, tall, glm::vec2(0.5F, at), 0.0625F));
+    }
 
     record_turned({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0}, {1, 0}, {0, 1}}}});
     record_turned({{{{1, 2, 3}, {3, 2, 3}, {1, 2, 0}}}, {{{0, 0}, {0.5F, 0}, {0, 0.25F}}}});
@@ -77,17 +86,24 @@ void by_hand(Variation& vary, Recorder& out)
         }
 }
 
+// One in ten is flattened to nothing. Of textures with more than 16 columns or rows k is smaller by the square of that:
+// places are rounded by more of their texels, and counts of texels multiply what comes of it.
 void random_slopes(Random& random, Recorder& out)
 {
-    const Grid<glm::vec4> fields[] = {random_texture(random, 8, 8), random_texture(random, 16, 4),
-                                      random_texture(random, 5, 9), random_texture(random, 1, 3),
-                                      random_texture(random, 2, 1)};
+    const auto many = [&] { return 65 + static_cast<int>(random.below(500)); };
+    const int columns = many();
+    const Grid<glm::vec4> fields[] = {random_texture(random, 8, 8),     random_texture(random, 16, 4),
+                                      random_texture(random, 5, 9),     random_texture(random, 1, 3),
+                                      random_texture(random, 2, 1),     random_texture(random, columns, 2),
+                                      random_texture(random, 2, many())};
     out.columns("slopes", "d_u, d_v");
     for (int i = 0; i < 300; ++i) {
-        const Grid<glm::vec4>& field = fields[random.below(5)];
+        const Grid<glm::vec4>& field = fields[random.below(7)];
         const float u = random.uniform(-1, 2);
         const glm::vec2 uv(u, random.uniform(-1, 2));
-        out.append("slopes", ask<slopes>(out, field, uv, random.uniform(-0.2F, 0.2F)));
+        const float texels = std::max(1.0F, static_cast<float>(std::max(field.width, field.height)) / 16);
+        const float k = i % 10 == 0 ? 0.0F : random.uniform(-0.2F, 0.2F) / (texels * texels);
+        out.append("slopes", ask<slopes>(out, field, uv, k));
     }
 }
 
@@ -132,20 +148,45 @@ FlatTriangle random_triangle(Random& random)
     return random.below(2) == 0 ? triangle : made_smaller(triangle, random);
 }
 
-// Corners on a line, or in one place: in the texture. In space they lie anywhere. One of four is small, but sound, and
-// one has its corners on a line in space alone, so that there are tangents.
+// A triangle as thin in the texture as in space, of powers of two: its tangents are as exact as any.
+FlatTriangle sliver(Random& random)
+{
+    const float thin = std::exp2(-20 - static_cast<float>(random.below(20)));
+    const float length = std::exp2(static_cast<float>(random.below(4)) - 2);
+    const float turned = random.below(2) == 0 ? 1.0F : -1.0F;
+    FlatTriangle triangle{{{{0, 0, 0}, {2, 0, turned}, {2, thin, turned}}}, {{{0, 0}, {length, 0}, {length, thin}}}};
+    for (glm::vec2& place : triangle.coordinates)
+        if (turned > 0) place = {place.y, place.x};
+    return triangle;
+}
+
+// Corners on a line, or in one place: in the texture. In space they lie anywhere. Two of eight are small and one is
+// thin, but sound; of two the corners lie on a line in space alone, or two or all of them in one place, so that there
+// are tangents, which may be parallel or 0.
 void degenerate(Random& random, Recorder& out)
 {
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 80; ++i) {
         FlatTriangle triangle = large_triangle(random);
-        if (i % 4 == 0) {
-            triangle = made_smaller(triangle, random);
-        } else if (i % 4 == 1) {
-            triangle.positions[2] = 2.0F * triangle.positions[1] - triangle.positions[0];
-        } else {
-            const auto steps = static_cast<float>(random.below(4));
-            triangle.coordinates = {
-                glm::vec2(1, -1), {1.5F, -0.75F}, glm::vec2(1, -1) + steps * glm::vec2(0.5F, 0.25F)};
+        const auto steps = static_cast<float>(random.below(4));
+        const auto corner = static_cast<std::size_t>(random.below(3));
+        switch (i % 8) {
+            case 0: triangle = made_smaller(triangle, random); break;
+            case 1: {
+                const float size = std::exp2(-16 - static_cast<float>(random.below(32)));
+                for (glm::vec3& position : triangle.positions) position *= size;
+                for (glm::vec2& place : triangle.coordinates) place *= size;
+                break;
+            }
+            case 2: triangle.positions[2] = 2.0F * triangle.positions[1] - triangle.positions[0]; break;
+            case 3:
+                triangle.positions[corner] = triangle.positions[(corner + 1) % 3];
+                if (i % 40 == 3) triangle.positions = {glm::vec3(1), glm::vec3(1), glm::vec3(1)};
+                break;
+            case 4: triangle = sliver(random); break;
+            case 5: triangle.coordinates.fill(triangle.coordinates[corner]); break;
+            default:
+                triangle.coordinates = {
+                    glm::vec2(1, -1), {1.5F, -0.75F}, glm::vec2(1, -1) + steps * glm::vec2(0.5F, 0.25F)};
         }
         record_tangents(out, triangle);
     }
@@ -189,7 +230,8 @@ void random_normals(Random& random, Recorder& out, float stretch, bool mirrored)
     }
 }
 
-// No tangents, parallel ones, only one, or some whose plane holds n: the normal stays. Every sixth frame is sound.
+// No tangents, parallel ones, only one, or some whose plane holds n: the normal stays. Every sixth frame is sound, and
+// so are planes that hold n but for little.
 void without_tangents(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
@@ -207,6 +249,11 @@ void without_tangents(Random& random, Recorder& out)
         const glm::vec3 along = random.uniform(0.5F, 2) * n;
         const Tangents upright = i % 2 == 0 ? Tangents{side, along} : Tangents{along, side};
         record_normal(out, n, upright, {random.uniform(0.5F, 2), -0.75F});
+        // Hardly less upright: n has a side.
+        glm::vec3 leaning = along;
+        leaning[(i + 2) % 3] = (random.below(2) == 0 ? 1.0F : -1.0F) * std::exp2(-18 - static_cast<float>(i));
+        const glm::vec2 slope(random.uniform(0.5F, 2), 0.75F);
+        record_normal(out, n, i % 2 == 0 ? Tangents{side, leaning} : Tangents{leaning, side}, slope);
     }
 }
 
