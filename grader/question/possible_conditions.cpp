@@ -18,7 +18,7 @@ PossibleCondition of_one(std::string words, std::size_t fact, int cost, bool (*t
 }
 
 bool is_finite(double x) { return std::isfinite(x); }
-bool is_whole(double x) { return std::isfinite(x) && x == std::round(x); }
+bool is_integer(double x) { return std::isfinite(x) && x == std::round(x); }
 bool is_minus_zero(double x) { return x == 0 && std::signbit(x); }
 
 /// Of conditions that say the same, the one about the question's own numbers is said.
@@ -91,9 +91,9 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
     if (fact.kind == Fact::Kind::coordinate) return;
     all.push_back(of_one(words + " is 1", i, cost + 1, [](double x) { return std::abs(x - 1) < alike; }));
     all.push_back(of_one(words + " is not 1", i, cost + 1, [](double x) { return !(std::abs(x - 1) < alike); }));
-    if (!std::ranges::all_of(fact.values, is_whole)) {
-        all.push_back(of_one(words + " is a whole number", i, cost + 2, is_whole));
-        all.push_back(of_one(words + " is no whole number", i, cost + 2, [](double x) { return !is_whole(x); }));
+    if (!std::ranges::all_of(fact.values, is_integer)) {
+        all.push_back(of_one(words + " is a whole number", i, cost + 2, is_integer));
+        all.push_back(of_one(words + " is no whole number", i, cost + 2, [](double x) { return !is_integer(x); }));
         return;
     }
     all.push_back(of_one(words + " is odd", i, cost + 2, [](double x) { return std::fmod(std::abs(x), 2) == 1; }));
