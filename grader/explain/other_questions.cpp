@@ -48,16 +48,31 @@ constexpr std::size_t most_tensor_bytes = std::size_t{32} << 20U;
 struct Candidate {
     OtherQuestion question;
     Tally tally{};
-    bool fits = false;  ///< a failing check of the case looked at speaks for it
+    std::size_t failing = 0;  ///< checks in which its function was asked
+    bool fits = false;        ///< a failing check of the case looked at speaks for it
 };
 
-/// Takes what the checks of one case say of the reference's answers to the other question.
-void weigh(const CaseChecks& group, const RunOutcome& run, Candidate& candidate)
+/// May a question to this function change what the check holds? Not if all its rows are known to be answers of others.
+bool may_concern(const QuestionLog& log, const FailingCheck& one, std::string_view function)
+{
+    const auto rows = log.rows.find(one.check->value);
+    if (rows == log.rows.end() || function.empty()) return true;
+    return std::ranges::any_of(rows->second, [&](std::uint32_t question) {
+        const QuestionKind* const kind = question == 0 ? nullptr : log.kind_of(question - 1);
+        return kind == nullptr || kind->function == function;
+    });
+}
+
+/// Takes what the checks of one case say of the reference's answers to the other question. Where one mistake was made
+/// in two functions, each has a reason of its own.
+void weigh(const CaseChecks& group, const QuestionLog& log, const RunOutcome& run, Candidate& candidate)
 {
     candidate.fits = false;
     for (const FailingCheck& one : group.checks) {
+        if (!may_concern(log, one, candidate.question.function)) continue;
         const Resemblance said = says_of(one, *group.result, run);
         candidate.tally += said;
+        candidate.failing += one.fails ? 1 : 0;
         candidate.fits = candidate.fits || said.says == Says::for_it;
     }
 }
@@ -105,7 +120,8 @@ void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group
         if (mark == std::string::npos || mark == 0) continue;
         runs.at(std::stoul(name.substr(0, mark))).recording.tensors[name.substr(mark + 1)] = tensor;
     }
-    for (std::size_t i = 0; i < candidates.size(); ++i) weigh(group, runs[i], candidates[i]);
+    const QuestionLog& log = worker.questions(exercise, group.name, group.result->seed);
+    for (std::size_t i = 0; i < candidates.size(); ++i) weigh(group, log, runs[i], candidates[i]);
 }
 
 std::size_t questions_in_time(const RunOutcome& plain)
@@ -161,6 +177,15 @@ void keep_first_of_equals(std::vector<Candidate>& candidates)
         if (std::ranges::none_of(kept, [&](const Candidate& other) { return same(other.tally, one.tally); }))
             kept.push_back(std::move(one));
     candidates = std::move(kept);
+}
+
+/// Those of one function, of which the reason is surest.
+void keep_best_function(std::vector<Candidate>& candidates)
+{
+    const auto best = std::ranges::max_element(
+        candidates, {}, [](const Candidate& one) { return std::pair(confidence(one.tally), one.failing); });
+    const std::string function = best->question.function;
+    std::erase_if(candidates, [&](const Candidate& one) { return one.question.function != function; });
 }
 
 /// "Your results are the right ones if …"
@@ -247,11 +272,15 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
     std::vector<Explanation> found;
     // What not all cases were asked about might be spoken against by the others.
     if (candidates.empty() || !time.is_left()) return found;
+    keep_best_function(candidates);
+    std::size_t failing = 0;
+    for (const CaseChecks& group : asked) failing += group.failing;
     const std::string headers = interface_text(worker, exercise);
     for (const Candidate& candidate : candidates) {
         const std::string words = in_words(candidate.question, headers);
+        const double share = static_cast<double>(candidate.failing) / static_cast<double>(failing);
         found.push_back({"question: " + words, sentence(candidate.question, words), confidence(candidate.tally),
-                         fit(candidate.tally)});
+                         fit(candidate.tally) * std::min(share, 1.0)});
     }
     return found;
 }

@@ -92,8 +92,8 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
     all.push_back(of_one(words + " is 1", i, cost + 1, [](double x) { return std::abs(x - 1) < alike; }));
     all.push_back(of_one(words + " is not 1", i, cost + 1, [](double x) { return !(std::abs(x - 1) < alike); }));
     if (!std::ranges::all_of(fact.values, is_integer)) {
-        all.push_back(of_one(words + " is a whole number", i, cost + 2, is_integer));
-        all.push_back(of_one(words + " is no whole number", i, cost + 2, [](double x) { return !is_integer(x); }));
+        all.push_back(of_one(words + " is a whole number", i, cost + 5, is_integer));
+        all.push_back(of_one(words + " is no whole number", i, cost + 5, [](double x) { return !is_integer(x); }));
         return;
     }
     all.push_back(of_one(words + " is odd", i, cost + 2, [](double x) { return std::fmod(std::abs(x), 2) == 1; }));
