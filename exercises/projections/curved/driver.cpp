@@ -65,12 +65,13 @@ glm::vec3 random_point(Random& random)
     return random.uniform(0.1F, 10) * direction;
 }
 
-// A point that appears, and one that does not, in random order.
+// A point that appears, and one that does not, in random order. Half of them lie a hair beside the plane of the eye.
 void record_behind(Random& random, Recorder& out)
 {
     for (int i = 0; i < 30; ++i) {
         glm::vec3 before = random_point(random);
         before.z = -std::abs(before.z) - 0.01F;
+        if (i % 4 % 3 == 0) before.z *= std::pow(10.0F, random.uniform(-9, -3));
         glm::vec3 behind = before * glm::vec3(1, 1, -1);
         if (i % 3 == 1) before.z = 0;
         if (i % 5 == 4) behind = glm::vec3(0);
@@ -88,13 +89,15 @@ void record_behind(Random& random, Recorder& out)
     }
 }
 
-// Coordinates from 1e-35 to 1e37, whose squares are no floats; and points right beside the axis.
+// Coordinates from 1e-35 to 1e37, whose squares are no floats; and points right beside the axis, down to a billionth.
 void record_sizes(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
+        const float aside = i % 3 == 0 ? std::pow(10.0F, random.uniform(-9, -2)) : 1.0F;
         const float size = std::pow(10.0F, random.uniform(-34, 36));
         glm::vec3 point = size * random_point(random);
-        if (i % 3 == 0) point *= glm::vec3(1e-3F, 1, 1e-3F);
+        if (size * aside < 1e-34F) point /= aside;
+        point *= glm::vec3(aside, 1, aside);
         point.z = -std::abs(point.z);
         for (const bool on_sphere : {true, false}) {
             const std::optional<CurvedPoint> seen =
@@ -134,23 +137,17 @@ void record_small_angles(Random& random, Recorder& out)
     }
 }
 
-/// Triangles within 16 of the eye, their coordinates whole multiples of 1/8.
-std::vector<glm::vec3> random_triangles(std::size_t count, Random& random)
-{
-    std::vector<glm::vec3> corners(3 * count);
-    const auto coordinate = [&] { return static_cast<float>(random.below(257)) / 8 - 16; };
-    for (glm::vec3& corner : corners)
-        for (int axis = 0; axis < 3; ++axis) corner[axis] = coordinate();
-    return corners;
-}
-
-// Far away, where rounding takes for nothing what an edge is seen under.
+// Far away, where rounding takes for nothing what an edge is seen under; and 64 times as far, before the same wall.
 void record_far_cuts(Random& random, Recorder& out)
 {
-    for (int i = 0; i < 15; ++i) {
+    for (int i = 0; i < 30; ++i) {
+        const bool on_wall = i % 2 == 1;
         std::vector<glm::vec3> corners = random_triangles(2, random);
-        for (glm::vec3& corner : corners) corner = 0.125F * corner + glm::vec3(0, 0, -2048);
-        record_cut(out, corners, std::pow(10.0F, random.uniform(-4.2F, -3.2F)));
+        for (glm::vec3& corner : corners) {
+            corner = 0.125F * corner + glm::vec3(0, 0, -2048);
+            if (on_wall) corner.z = -131072;
+        }
+        record_cut(out, corners, std::pow(10.0F, on_wall ? random.uniform(-5.9F, -5) : random.uniform(-4.2F, -3.2F)));
     }
 }
 
@@ -172,8 +169,10 @@ void record_random(Random& random, Recorder& out)
         // One edge in five has an end in the eye.
         record_angle(out, i % 10 == 3 ? glm::vec3(0) : a, i % 10 == 8 ? glm::vec3(0) : b);
     }
-    for (int i = 0; i < 20; ++i) {
-        const std::vector<glm::vec3> corners = random_triangles(1 + random.below(3), random);
+    for (int i = 0; i < 24; ++i) {
+        std::vector<glm::vec3> corners = random_triangles(1 + random.below(3), random);
+        if (i % 4 == 1) corners = triangle_past_the_eye(random);
+        if (i % 4 == 3) corners[random.below(2) + 1] = corners[0];
         record_cut(out, corners, random.uniform(0.3F, 2));
     }
 }

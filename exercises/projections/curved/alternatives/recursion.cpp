@@ -8,7 +8,7 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-glm::vec3 middle(const glm::vec3& a, const glm::vec3& b) { return a + (b - a) / 2.0F; }
+glm::vec3 middle(const glm::vec3& a, const glm::vec3& b) { return a / 2.0F + b / 2.0F; }
 
 double angle(const glm::dvec3& a, const glm::dvec3& b)
 {
