@@ -24,11 +24,9 @@ void record_ray(Recorder& out, const PickView& view, const glm::ivec2& pixel)
 
 void record_clicks(Recorder& out, const std::vector<Click>& clicks)
 {
-    for (const auto& [cursor, window, framebuffer] : clicks) {
-        const std::optional<glm::ivec2> pixel = ask<pick_pixel>(out, cursor, window, framebuffer);
-        out.append("column", pixel ? std::optional(static_cast<float>(pixel->x)) : std::nullopt);
-        out.append("row", pixel ? std::optional(static_cast<float>(pixel->y)) : std::nullopt);
-    }
+    out.columns("pixel", "column, row");
+    for (const auto& [cursor, window, framebuffer] : clicks)
+        out.append("pixel", ask<pick_pixel>(out, cursor, window, framebuffer));
 }
 
 void record_borders(Recorder& out, Random& random)
