@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -98,30 +99,69 @@ inline std::vector<Ray> parallel(Quadric quadric, Random& random)
     return rays;
 }
 
-/// Level rays that meet a rim or the apex, or touch the surface, and rays down the axis through the apex. Those that
-/// miss pass a sixteenth or less beyond, or have an interval that ends there.
+/// A hit and a miss in a plane that holds the axis, slanted, which pass a rim by 1e-8 to 1e-5: in `double` their
+/// heights there are right, in `float` they are not. Down to the lower rim; of the cylinder also up to the upper one,
+/// and from within.
+inline std::array<Ray, 2> slanted_to_a_rim(Quadric quadric, Random& random)
+{
+    const bool is_upper = quadric == Quadric::cylinder && random.below(2) == 0;
+    const bool is_within = quadric == Quadric::cylinder && random.below(2) == 0;
+    const float speed = std::exp2(random.uniform(-2, 2));
+    const float x = is_within ? 0.125F * static_cast<float>(random.below(8)) : 2 + random.uniform(0, 3);
+    const double upwards = (is_upper ? 1 : -1) * std::exp2(-random.uniform(0, 4));
+    const glm::vec3 direction(-speed, speed * static_cast<float>(upwards), 0);
+    // Where the ray would have to begin to meet the rim; half of `aside` or more is left on the cone.
+    const double way = double{x} + (is_within ? 1 : -1);
+    const double exact = (is_upper ? 1 : 0) - way * double{direction.y} / double{speed};
+    const double aside = std::pow(10.0, -7.8 + 2.8 * std::pow(random.uniform_double(), 4));
+    const auto rounded = [](double number, float towards) {
+        const auto near = static_cast<float>(number);
+        const bool is_there = towards < 0 ? double{near} <= number : double{near} >= number;
+        return is_there ? near : std::nextafter(near, towards);
+    };
+    const float below = rounded(exact - aside, -endless);
+    const float above = rounded(exact + aside, endless);
+    const Ray hit{{x, is_upper ? below : above, 0}, direction};
+    const Ray miss{{x, is_upper ? above : below, 0}, direction};
+    return {hit, miss};
+}
+
+/// Level rays that meet a rim or the apex, or pass just within them, or touch the surface; rays down the axis through
+/// the apex; and slanted rays close to a rim. Those that miss pass by a sixteenth or less, down to what `float` tells
+/// from 1 and to 1e-8 below 0, or have an interval that ends there.
 inline std::vector<Ray> at_the_rims(Quadric quadric, Random& random)
 {
     std::vector<Ray> rays;
-    for (int i = 0; i < 80; ++i) {
+    for (int i = 0; i < 120; ++i) {
         const std::uint32_t quarters = random.below(4);
         const float speed = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
         const float away = 2 + 0.5F * static_cast<float>(random.below(5));
-        const float beyond = i % 8 < 4 ? 0.0625F : 0x1p-16F;
-        Ray hit{{away, 0, 0}, {-speed, 0, 0}};
+        const int upper_bits = 16 + static_cast<int>(random.below(8));
+        const int lower_bits = 16 + static_cast<int>(random.below(11));
+        const float beyond_upper = i % 12 < 6 ? 0.0625F : std::ldexp(1.0F, -upper_bits);
+        const float beyond_lower = i % 12 < 6 ? 0.0625F : std::ldexp(1.0F, -lower_bits);
+        const bool is_within = random.below(2) == 0;
+        Ray hit{{away, is_within ? beyond_lower : 0, 0}, {-speed, 0, 0}};
         Ray miss = hit;
-        miss.origin.y = -beyond;
-        switch (i % 4) {
+        miss.origin.y = -beyond_lower;
+        switch (i % 6) {
             case 0: break;
             case 1:
-                hit.origin.y = 1;
-                miss.origin.y = 1 + beyond;
+                hit.origin.y = is_within ? 1 - beyond_upper : 1;
+                miss.origin.y = 1 + beyond_upper;
                 break;
             case 2: {
                 hit.origin.y = miss.origin.y = 0.25F * static_cast<float>(random.below(4));
                 const float radius = quadric == Quadric::cylinder ? 1 : 1 - hit.origin.y;
                 hit.origin.z = random.below(2) == 0 ? radius : -radius;
                 miss.origin.z = 1.0625F * hit.origin.z;
+                break;
+            }
+            case 3:
+            case 4: {
+                const std::array<Ray, 2> pair = slanted_to_a_rim(quadric, random);
+                hit = pair[0];
+                miss = pair[1];
                 break;
             }
             default:
@@ -134,7 +174,7 @@ inline std::vector<Ray> at_the_rims(Quadric quadric, Random& random)
                 } else {
                     hit.origin.y = 1;
                     hit.t_min = miss.t_min = away / speed;
-                    miss.origin.y = 1 + beyond;
+                    miss.origin.y = 1 + beyond_upper;
                 }
         }
         add_pair(rays, turned(hit, quarters), turned(miss, quarters), random);
