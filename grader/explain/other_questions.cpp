@@ -179,11 +179,11 @@ void keep_first_of_equals(std::vector<Candidate>& candidates)
     candidates = std::move(kept);
 }
 
-/// Those of one function, of which the reason is surest.
+/// Those of one function, or of all, whose reason explains most.
 void keep_best_function(std::vector<Candidate>& candidates)
 {
     const auto best = std::ranges::max_element(
-        candidates, {}, [](const Candidate& one) { return std::pair(confidence(one.tally), one.failing); });
+        candidates, {}, [](const Candidate& one) { return confidence(one.tally) * static_cast<double>(one.failing); });
     const std::string function = best->question.function;
     std::erase_if(candidates, [&](const Candidate& one) { return one.question.function != function; });
 }
