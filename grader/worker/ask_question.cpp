@@ -21,7 +21,13 @@ std::string driver_text(const Exercise& exercise)
 {
     std::string topic = exercise.topic;
     std::ranges::replace(topic, '-', '_');
-    return fmt::format(R"(#include <umbral/record/driver.hpp>
+    return fmt::format(R"(#include <cstdlib>
+#include <cxxabi.h>
+#include <exception>
+#include <memory>
+#include <string>
+#include <typeinfo>
+#include <umbral/record/driver.hpp>
 #include <umbral/record/features.hpp>
 #include <umbral/record/literal.hpp>
 #include <variant>
@@ -55,9 +61,16 @@ void tell(Recorder& out, const std::variant<Values...>& result)
 }}
 void answer(Case&, Recorder& out)
 {{
-    tell(out, __extension__({{
+    try {{
+        tell(out, __extension__({{
 {1}
-    ;}}));
+        ;}}));
+    }} catch (const std::exception& refusal) {{
+        // What it says is the solution's own.
+        std::unique_ptr<char, decltype(&std::free)> name(
+            abi::__cxa_demangle(typeid(refusal).name(), nullptr, nullptr, nullptr), &std::free);
+        out.text("answer", std::string("throws ") + (name ? name.get() : "an exception"));
+    }}
 }}
 }}
 const Driver driver = {{{{"{2}", answer}}}};

@@ -235,6 +235,17 @@ TEST(Debug, runs_one_case_as_an_ordinary_program)
     EXPECT_EQ(umbral("debug sphere no-such-case --dir " + folder.path().string()).status, 2);
 }
 
+// The library of a unit whose work is counted calls the framework.
+TEST(Debug, runs_a_unit_whose_work_is_counted)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "meshes/weld");
+    std::filesystem::copy_file(source / "reference/meshes/weld.cpp", folder / "meshes/weld/weld.cpp");
+    const Printed printed = umbral("debug weld --no-debugger --dir " + folder.path().string());
+    EXPECT_EQ(printed.status, 0) << printed.text;
+    EXPECT_NE(printed.text.find("recorded "), std::string::npos) << printed.text;
+}
+
 TEST(Doctor, finds_what_a_graded_run_needs)
 {
     const Printed printed = umbral("doctor --json");

@@ -50,6 +50,17 @@ TEST_F(AskQuestion, takes_lines_that_make_what_is_asked_about)
     EXPECT_EQ(asked.yours.numbers, (std::vector<double>{0, 0, 11}));
 }
 
+// A refusal is an answer like any other, and what it says does not count.
+TEST_F(AskQuestion, tells_what_is_thrown)
+{
+    const Exercise frustum = bench.exercise("projections/frustum");
+    const Built built = build(bench.tools(), frustum, reference_sources(bench.tools().reference, frustum));
+    const AskedQuestion asked = ask_question(worker, frustum, built, "frustum_matrix(ViewVolume{1, 1, -1, 1, 1, 10})");
+    EXPECT_EQ(asked.refused, "");
+    EXPECT_EQ(asked.reference.text, "throws std::invalid_argument");
+    EXPECT_EQ(asked.yours.text, asked.reference.text);
+}
+
 // What it holds is told, and not that it is a variant: two of them looked equal whatever they held.
 TEST_F(AskQuestion, tells_what_a_variant_holds)
 {

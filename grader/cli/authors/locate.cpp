@@ -65,18 +65,29 @@ void print_repair(const Paint& paint, const std::string& file, const std::string
     fmt::print("\n");
 }
 
+/// Where no place was found: what follows from that, if all `changes` were tried.
+void print_no_place(const Exercise& exercise, std::size_t tried, std::size_t changes)
+{
+    if (tried < changes)
+        fmt::print(
+            "None of the {} small changes that there was time for makes a wrong check right; --seconds gives "
+            "more time.\n",
+            tried);
+    else
+        fmt::print(
+            "No small change of one place makes a wrong check right: more than one thing is wrong, or something "
+            "is missing.\n");
+    fmt::print("`umbral debug {}` stops where it first goes wrong.\n", exercise.name);
+}
+
 void print_search(const Paint& paint, const Exercise& exercise, const BuiltWork& work, const RepairSearch& search,
-                  bool show)
+                  std::size_t changes, bool show)
 {
     const auto& [file, source] = *work.files.begin();
     const std::size_t shown = std::min(search.repairs.size(), most_places);
     for (std::size_t i = 0; i < shown; ++i)
         print_repair(paint, file, source, search.repairs[i], search.wrong.size(), show);
-    if (search.repairs.empty())
-        fmt::print(
-            "No small change of one place makes a wrong check right: more than one thing is wrong, or something "
-            "is missing.\n`umbral debug {}` stops where it first goes wrong.\n",
-            exercise.name);
+    if (search.repairs.empty()) print_no_place(exercise, search.tried, changes);
     if (search.repairs.size() > 1)
         fmt::print("One of these changes is enough; {} places were found.\n", search.repairs.size());
     if (shown > 0 && !show) fmt::print("--show says which change.\n");
@@ -108,7 +119,7 @@ void locate(Application& application, const LocateOptions& options)
     application.exit_status = exit_not_right;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     const Paint paint(application.style);
-    print_search(paint, exercise, work, search, options.show);
+    print_search(paint, exercise, work, search, built.mutants.size(), options.show);
     fmt::print("{}\n", paint(Tone::quiet, fmt::format("{} of {} changes tried on inputs of two seeds, {:.0f} s",
                                                       search.tried, built.mutants.size(), seconds)));
 }
