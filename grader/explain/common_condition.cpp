@@ -11,7 +11,7 @@
 namespace umbral::grader {
 namespace {
 
-constexpr std::size_t least_of_fixed = 6;  ///< questions on either side, where no fresh ones can confirm a condition
+constexpr std::size_t least_of_fixed = 6;  ///< questions on either side, where no fresh ones confirm it, or of a bound
 /// Something that is so for 1 answer of 100 but one is found out with these many; few are asked at a time.
 constexpr std::size_t enough_answers = 200;
 constexpr std::size_t most_in_vector = 4;
@@ -75,6 +75,8 @@ std::optional<CommonCondition> condition_of(Samples& samples, ToldSample AskedSa
     // that one of the many entries of a right matrix has more to do with it than another.
     const bool by_chance =
         condition->fitted || (condition->of_answer && samples.seen().answers.components > most_in_vector);
+    // Between few questions a bound can be put almost anywhere.
+    if (condition->fitted && !has_both(seen.wrong, least_of_fixed)) return std::nullopt;
     const bool exact = has_both(seen.wrong, least_of_fixed) && condition->right_where == 0 &&
                        condition->wrong_where == condition->wrong;
     if (fixed && (by_chance || !exact)) return std::nullopt;

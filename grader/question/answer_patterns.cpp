@@ -156,6 +156,7 @@ std::optional<std::string> constant_change(const Pairs& wrong, std::size_t compo
     if (same_offset && *offset != 0)
         return fmt::format("the right one {} {:.6g}", *offset > 0 ? "plus" : "minus", std::abs(*offset));
     if (!same_factor || !factor || *factor == 0) return std::nullopt;
+    if (alike(*factor, 1, 1)) return std::nullopt;
     if (alike(*factor, -1, 1)) return "the right one with the opposite sign";
     return fmt::format("{:.6g} times the right one", *factor);
 }

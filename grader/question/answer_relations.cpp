@@ -148,6 +148,8 @@ std::optional<std::string> multiple(const WrongVectors& vectors, const std::vect
                              return std::ranges::count_if(right, [](double x) { return x != 0; }) > 1;
                          }) >= static_cast<std::ptrdiff_t>(least_different);
     if (!factors || !oblique) return std::nullopt;
+    // What is off by a rounding is no multiple of it.
+    if (std::ranges::all_of(*factors, [](double factor) { return same(factor, 1); })) return std::nullopt;
     const auto as_first = [&](double factor) { return same(factor, factors->front()); };
     if (std::ranges::all_of(*factors, as_first))
         return same(factors->front(), -1) ? "is the right one with the opposite sign"
