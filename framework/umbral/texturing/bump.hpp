@@ -18,8 +18,8 @@ struct Tangents {
 /// The slopes (d_u, d_v) of a height field at (u, v), by central differences: d_u = k (h(u + D, v) - h(u - D, v)) /
 /// (2D), where D = 1/columns; d_v likewise, where D = 1/rows. The height h is the red of a bilinear lookup in the
 /// texture, which is repeated; k exaggerates the relief, or flattens it, and may be negative. The texture has at least
-/// one texel. Right to 2e-7 k n² h for u and v up to 2, with n columns or rows and heights up to h. Course: slides F7 to
-/// F9.
+/// one texel. Right to 2e-7 k n² h for u and v up to 2, with n columns or rows and heights up to h. Course: slides F7
+/// to F9.
 [[nodiscard]] glm::vec2 slopes(const Grid<glm::vec4>& heights, glm::vec2 uv, float k);
 
 /// The tangents of a triangle whose corners have these positions and texture coordinates: position = corner 0 + t_u
