@@ -43,11 +43,13 @@ std::vector<OrbitCameraSettings> beginnings()
 // A viewport of 400 pixels: 200 of them are a right angle.
 const OrbitCameraSettings small = {.distance = 4, .viewport_height = 400};
 
-// The pitch at its limit, and at once back from it.
-std::vector<CameraEvent> up_and_down()
+// The pitch at its limit, and at once back from it. Huge drags are no nonsense, whatever they are multiplied by.
+std::vector<CameraEvent> up_and_down(Random& random)
 {
-    return {drag(0, -150), drag(0, -150), drag(0, -5000), drag(0, 100),   drag(30, 0),  drag(0, 250),
-            drag(0, 1e9),  drag(0, -40),  drag(-500, -2), drag(3, 1e300), drag(0, -200)};
+    const auto aside = [&] { return 20 + std::abs(random_pixels(random, 60)); };
+    return {drag(0, -150), drag(0, -150), drag(0, -5000),   drag(0, 100),         drag(30, 0),
+            drag(0, 250),  drag(0, 1e9),  drag(0, -40),     drag(-500, -2),       drag(3, 1e300),
+            drag(0, -200), drag(0, 70),   drag(-4, -1e300), drag(aside(), 1e307), drag(-aside(), -1e307)};
 }
 
 // Steps, fractions of steps, and both limits (0.1 and 1000).
@@ -122,6 +124,39 @@ void record_long_session(Recorder& out, Random& random)
     }
 }
 
+// A drag of very many whole turns, which a number of turns in an int does not hold, and small ones after it. Half turns
+// and radians are exact, in double, for the first: whoever takes off whole turns is back where the camera began.
+void record_many_turns_at_once(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 16; ++i) {
+        const int exponent = 8 + static_cast<int>(random.below(3));
+        const double half_turns = std::ldexp(i % 2 == 0 ? 1.0 : -1.0, 36 + static_cast<int>(random.below(5)));
+        const OrbitCameraSettings settings{.target = glm::dvec3(random.in_cube()),
+                                           .distance = 2 + random.uniform_double(),
+                                           .pitch = 0.5 * random.uniform_double(),
+                                           .viewport_height = 1 << exponent};
+        std::vector<CameraEvent> events = {drag(std::ldexp(half_turns, exponent), 0)};
+        for (int k = 0; k < 3; ++k) events.push_back(drag(random_pixels(random, 50), random_pixels(random, 20)));
+        record(out, settings, events);
+    }
+}
+
+// The wheel goes far and all the way in one direction, in between both limits, at a target near the origin: nothing in
+// the last column hides what the steps are worth.
+void record_long_ways(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 30; ++i) {
+        const double nearer = i % 2 == 0 ? 1 : -1;
+        const double steps = 40 + std::floor(160 * random.uniform_double()) / 8;
+        const double rest = std::floor(80 * random.uniform_double()) / 8;
+        const OrbitCameraSettings settings{.target = 0.01F * random.in_cube(),
+                                           .distance = i % 2 == 0 ? 900 : 0.12,
+                                           .yaw = 6 * random.uniform_double() - 3,
+                                           .pitch = 2 * random.uniform_double() - 1};
+        record(out, settings, {scroll(nearer * steps), scroll(nearer * rest)});
+    }
+}
+
 // Targets far from the world's origin: where the camera stands cannot be told in float any more, what it sees can.
 void record_far_targets(Recorder& out, Random& random)
 {
@@ -156,7 +191,7 @@ const Driver driver = {
                 {drag(200, 0), drag(-400, 0), drag(0, -100), drag(50, 0), drag(0, 100), drag(25.5, 12.25),
                  drag(1600, 0), drag(-0.5, -0.125), drag(-1e6, 60)});
      }},
-    {"limits of pitch", [](Case& c, Recorder& out) { record(out, varied(c.vary, small), up_and_down()); }},
+    {"limits of pitch", [](Case& c, Recorder& out) { record(out, varied(c.vary, small), up_and_down(c.random)); }},
     {"wheel", [](Case& c, Recorder& out) { record(out, varied(c.vary, {.distance = 4, .pitch = 0.3}), wheel()); }},
     {"window", [](Case& c, Recorder& out) { record(out, varied(c.vary, small), windows()); }},
     {"nonsense", [](Case& c, Recorder& out) { record(out, varied(c.vary, small), nonsense()); }},
@@ -168,8 +203,16 @@ const Driver driver = {
              record(out, settings, random_session(c.random, 100));
          }
      }},
-    {"far targets", [](Case& c, Recorder& out) { record_far_targets(out, c.random); }},
-    {"a million turns", [](Case& c, Recorder& out) { record_long_session(out, c.random); }},
+    {"far targets",
+     [](Case& c, Recorder& out) {
+         record_far_targets(out, c.random);
+         record_long_ways(out, c.random);
+     }},
+    {"a million turns",
+     [](Case& c, Recorder& out) {
+         record_long_session(out, c.random);
+         record_many_turns_at_once(out, c.random);
+     }},
     {"picture",
      [](Case& c, Recorder& out) {
          out.image("from the side", picture_after(c.vary, out, {drag(-60, -30), drag(10, -4), scroll(2.5)}));

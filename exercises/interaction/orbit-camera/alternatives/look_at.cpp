@@ -1,5 +1,5 @@
-// alternative: where the camera stands by spherical coordinates, then GLM's look-at in double; radians that are never
-// wrapped
+// alternative: where the camera stands by spherical coordinates, then GLM's look-at in double; radians without whole
+// turns
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <umbral/interaction/orbit_camera.hpp>
@@ -14,7 +14,7 @@ struct LookingCamera : OrbitCamera {
     {
         const double per_pixel = std::acos(-1.0) / now.viewport_height;
         if (!std::isfinite(right + up)) return;
-        now.yaw -= right * per_pixel;
+        now.yaw = std::remainder(now.yaw - right * per_pixel, 2 * std::acos(-1.0));
         now.pitch = glm::clamp(now.pitch - up * per_pixel, -begin.max_pitch, begin.max_pitch);
     }
     void scroll(double steps) override
