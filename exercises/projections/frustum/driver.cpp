@@ -31,11 +31,12 @@ void record_point(Recorder& out, const glm::mat4& projection, const glm::vec3& p
     out.append("ndc depth", seen ? std::optional(seen->z) : std::nullopt);
 }
 
-// Windows of side 2 at the near plane, one that is not symmetric, and the one of the course's cube of side 2.
+// Windows of side 2 at the near plane, one that is not symmetric, the one of the course's cube of side 2, and the near
+// plane behind the far one.
 void record_known(Variation& vary, Recorder& out)
 {
     const ViewVolume volumes[] = {
-        {-1, 1, -1, 1, 1, 3}, {0, 4, -1, 1, 2, 6}, {-1, 1, -1, 1, 3, 5}, {2, 6, -5, -1, 4, 8}};
+        {-1, 1, -1, 1, 1, 3}, {0, 4, -1, 1, 2, 6}, {-1, 1, -1, 1, 3, 5}, {2, 6, -5, -1, 4, 8}, {2, 6, -5, -1, 8, 4}};
     for (const ViewVolume& volume : volumes) record(out, varied(vary, volume));
 }
 
@@ -62,22 +63,52 @@ void record_known_points(Variation& vary, Recorder& out)
         record_point(out, flat, vary.near(point, 0.2F));
 }
 
+ViewVolume resized(const ViewVolume& v, float size)
+{
+    return {size * v.left, size * v.right, size * v.bottom, size * v.top, size * v.near_plane, size * v.far_plane};
+}
+
 /// Every third time a frustum a thousand million times as large, or as small, at most.
 ViewVolume frustum_of_any_size(int kind, Random& random)
 {
     const ViewVolume v = random_frustum(random);
     const float size = kind % 3 == 0 ? std::ldexp(1.0F, static_cast<int>(random.below(61)) - 30) : 1.0F;
-    return {size * v.left, size * v.right, size * v.bottom, size * v.top, size * v.near_plane, size * v.far_plane};
+    return resized(v, size);
 }
 
-/// The same; some are mirrored, and of some the middle of the window is up to five times as far off the axis as off the
-/// eye.
+/// The same; some are mirrored in any way, and of some the middle of the window is up to five times as far off the axis
+/// as off the eye.
 ViewVolume frustum_of_any_form(int kind, Random& random)
 {
-    ViewVolume v = with_sides_exchanged(frustum_of_any_size(kind, random), kind % 5 == 1 ? random.below(4) : 0);
+    ViewVolume v = with_sides_exchanged(frustum_of_any_size(kind, random), kind % 5 < 2 ? 1 + random.below(7) : 0);
     if (kind % 4 != 1) return v;
     const glm::vec2 aside = 4 * v.near_plane * glm::vec2(random.in_cube());
     return {v.left + aside.x, v.right + aside.x, v.bottom + aside.y, v.top + aside.y, v.near_plane, v.far_plane};
+}
+
+/// The same but for one of its six numbers, which moves away from that of the opposite side.
+ViewVolume with_one_changed(ViewVolume v, int which, Random& random)
+{
+    float* const numbers[] = {&v.left, &v.right, &v.bottom, &v.top, &v.near_plane, &v.far_plane};
+    float& changed = *numbers[which];
+    const float opposite = *numbers[which ^ 1];
+    if (which < 4) {
+        changed += random.uniform(0.2F, 1) * (changed - opposite);
+    } else {
+        const float factor = random.uniform(0.5F, 0.9F);
+        changed = changed < opposite ? changed * factor : changed / factor;
+    }
+    return v;
+}
+
+// Every second frustum differs from the one before in one number.
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 50; ++i) {
+        const ViewVolume volume = frustum_of_any_form(i, random);
+        record(out, volume);
+        record(out, with_one_changed(volume, i % 6, random));
+    }
 }
 
 // A point of the frustum, or beside it.
@@ -89,19 +120,22 @@ glm::vec3 point_before_the_eye(const ViewVolume& v, Random& random)
     return {x * distance / v.near_plane, y * distance / v.near_plane, -distance};
 }
 
-// A point before the eye, and one behind it or in its plane, in random order; some are as close to it as floats are.
+// A point before the eye, and one behind it or in its plane, in random order; some are as close to it as floats are:
+// the last ones nearer than the least float of all digits, before a frustum so small that depth is a float.
 void record_behind(Random& random, Recorder& out)
 {
-    for (int i = 0; i < 40; ++i) {
-        const ViewVolume volume = random_frustum(random);
+    for (int i = 0; i < 50; ++i) {
+        const bool tiny = i % 5 == 4;
+        const ViewVolume volume = resized(random_frustum(random), tiny ? 0x1p-26F : 1);
         const glm::mat4 projection = given_matrix(volume);
         const float close[] = {1e-2F, 1e-3F, 1e-6F, 1e-12F, 1e-30F};
         glm::vec3 before = point_before_the_eye(volume, random);
+        if (tiny) before *= -volume.near_plane / before.z;
         glm::vec3 behind = -before;
-        if (i % 4 == 1) behind.z = 0;
-        if (i % 4 == 2) behind = glm::vec3(0);
-        if (i % 4 == 3) {
-            before.z = -close[i / 4 % 5];
+        if (i % 5 == 1) behind.z = 0;
+        if (i % 5 == 2) behind = glm::vec3(0);
+        if (i % 5 > 2) {
+            before.z = tiny ? -std::ldexp(random.uniform(0.5F, 1), -128 - i / 5) : -close[i / 5 % 5];
             behind = glm::vec3(before.x, before.y, -before.z);
         }
         const bool first = random.below(2) == 1;
@@ -124,14 +158,16 @@ void record_infinite(Random& random, Recorder& out)
     }
 }
 
-// A frustum, and something that is none, in random order: every second time a frustum that is almost none.
+// A frustum, and something that is none, in random order: every second time a frustum that is almost none. Later both
+// are without end, unless it is the far plane that is wrong.
 void record_refused(Random& random, Recorder& out)
 {
-    for (int i = 0; i < 28; ++i) {
+    constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+    for (int i = 0; i < 36; ++i) {
         ViewVolume good = random_frustum(random);
         ViewVolume bad = good;
         ViewVolume close = good;
-        switch (i % 7) {
+        switch (i % 9) {
             case 0:
                 bad.right = bad.left;
                 close.right = next_above(bad.left);
@@ -153,9 +189,13 @@ void record_refused(Random& random, Recorder& out)
                 bad.far_plane = 0;
                 close.far_plane = 1e-30F;
                 break;
-            default: bad.far_plane = i < 14 ? -bad.far_plane : -infinity;
+            case 6: bad.far_plane = i < 18 ? -bad.far_plane : -infinity; break;
+            case 7: bad.near_plane = not_a_number; break;
+            default: bad.far_plane = not_a_number;
         }
-        if (i / 7 % 2 == 1) good = close;
+        if (i / 9 % 2 == 1) good = close;
+        const bool far_is_right = bad.far_plane == good.far_plane;
+        if (i >= 18 && far_is_right) good.far_plane = bad.far_plane = infinity;
         const bool first = random.below(2) == 1;
         for (const bool is_bad : {first, !first}) {
             const ViewVolume& asked = is_bad ? bad : good;
@@ -165,26 +205,37 @@ void record_refused(Random& random, Recorder& out)
     }
 }
 
-// The far plane 10^5 to 10^7 times as far as the near one; nearly as far as a float can be; or right behind.
+// The far plane 10^5 to 10^7 times as far as the near one; nearly as far as a float can be; or right behind. And frusta
+// 10^30 times as large, or as small: the product of the planes is no float.
 void record_ratios(Random& random, Recorder& out)
 {
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 80; ++i) {
         ViewVolume volume = random_frustum(random);
-        volume.far_plane = volume.near_plane * std::pow(10.0F, random.uniform(5, 7));
-        if (i % 3 == 0) volume.far_plane = std::numeric_limits<float>::max() * random.uniform(0.9F, 1);
-        if (i % 3 == 1) volume.far_plane = volume.near_plane * (1 + std::pow(10.0F, random.uniform(-5, -2)));
+        switch (i % 4) {
+            case 0: volume.far_plane = std::numeric_limits<float>::max() * random.uniform(0.9F, 1); break;
+            case 1: volume.far_plane = volume.near_plane * (1 + std::pow(10.0F, random.uniform(-5, -2))); break;
+            case 2: volume.far_plane = volume.near_plane * std::pow(10.0F, random.uniform(5, 7)); break;
+            default:
+                const int exponent = 98 + static_cast<int>(random.below(12));
+                volume = resized(volume, std::ldexp(1.0F, i % 3 == 0 ? -exponent : exponent));
+        }
         record(out, volume);
     }
 }
 
-// A window of a thousandth to a hundred-thousandth of its distance from the axis: a tile of a picture much larger.
+// A window whose width and height are a thousandth to a hundred-thousandth of its distance from the axis: a tile of a
+// picture much larger.
 void record_narrow(Random& random, Recorder& out)
 {
     for (int i = 0; i < 200; ++i) {
         ViewVolume volume = random_frustum(random);
-        const float aside = random.uniform(2, 5) * volume.near_plane;
-        volume.left = (i % 2 == 0 ? -1.0F : 1.0F) * aside;
-        volume.right = volume.left + aside * std::pow(10.0F, random.uniform(-5, -3));
+        const auto narrow = [&](float& low, float& high, bool below) {
+            const float aside = random.uniform(2, 5) * volume.near_plane;
+            low = below ? -aside : aside;
+            high = low + aside * std::pow(10.0F, random.uniform(-5, -3));
+        };
+        narrow(volume.left, volume.right, i % 2 == 0);
+        narrow(volume.bottom, volume.top, i / 2 % 2 == 0);
         record_point(out, given_matrix(volume), point_before_the_eye(volume, random));
     }
 }
@@ -223,10 +274,7 @@ void draw_wall(Variation& vary, Recorder& out)
 const Driver driver = {
     {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
     {"known points", [](Case& c, Recorder& out) { record_known_points(c.vary, out); }},
-    {"random",
-     [](Case& c, Recorder& out) {
-         for (int i = 0; i < 100; ++i) record(out, frustum_of_any_form(i, c.random));
-     }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"random points",
      [](Case& c, Recorder& out) {
          for (int i = 0; i < 100; ++i) {

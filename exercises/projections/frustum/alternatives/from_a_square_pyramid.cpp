@@ -23,7 +23,7 @@ struct Lines {
 Lines lines_of(const ViewVolume& v)
 {
     const double n = v.near_plane;
-    if (v.left == v.right || v.bottom == v.top || v.far_plane == v.near_plane || n <= 0 || v.far_plane <= 0)
+    if (v.left == v.right || v.bottom == v.top || v.far_plane == v.near_plane || !(n > 0 && v.far_plane > 0))
         throw std::invalid_argument("lines_of: no frustum");
     // 1 / distance goes from 1 / n to 1 / f while depth goes from -1 to 1.
     const Line depth = through(1 / n, 1.0 / v.far_plane);

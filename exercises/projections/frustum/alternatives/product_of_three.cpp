@@ -15,7 +15,7 @@ struct WideFactors {
 WideFactors factors_of(const ViewVolume& v)
 {
     const bool has_size = v.right != v.left && v.top != v.bottom && v.far_plane != v.near_plane;
-    if (!has_size || v.near_plane <= 0 || v.far_plane <= 0) throw std::invalid_argument("this is no frustum");
+    if (!has_size || !(v.near_plane > 0 && v.far_plane > 0)) throw std::invalid_argument("this is no frustum");
     const double n = v.near_plane;
     const double f = v.far_plane;
     WideFactors factors;
