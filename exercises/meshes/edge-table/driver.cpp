@@ -8,6 +8,7 @@
 #include <umbral/record/driver.hpp>
 
 #include "../zoo.hpp"
+#include "large_indices.hpp"
 #include "wireframe.hpp"
 
 namespace umbral {
@@ -46,15 +47,29 @@ bool is_closed(const Sample& sample)
     return std::ranges::all_of(sides, [](const auto& side) { return side.second == 2; });
 }
 
+/// Tame meshes, and two that have vertices in one place: those of an edge, and those of two sides that are folded onto
+/// each other. Small ones first.
+std::vector<Sample> known_meshes(Variation& vary)
+{
+    std::vector<Sample> samples = tame_meshes(vary);
+    samples.push_back({"corners in one place", tetrahedron()});
+    samples.back().mesh.positions[0] = samples.back().mesh.positions[1 + vary.near(1, 1)];
+    samples.push_back({"folded sheet", flat_sheet(2, vary.near(2U, 1U))});
+    for (glm::vec3& position : samples.back().mesh.positions) position.x = std::abs(position.x);
+    std::ranges::stable_sort(samples, {}, [](const Sample& sample) { return sample.mesh.triangles.size(); });
+    return samples;
+}
+
 void record_known(Variation& vary, Recorder& out)
 {
     EdgeLog any(out, "edges");
     EdgeLog closed(out, "edges of closed");
-    for (const Sample& sample : in_random_order(vary, tame_meshes(vary))) {
+    for (const Sample& sample : in_random_order(vary, known_meshes(vary))) {
         const IndexedMesh mesh = shuffled(sample.mesh, vary);
         any.add<edge_table>(sample.name, mesh);
         if (is_closed(sample)) closed.add<edge_table_of_closed>(sample.name, mesh);
     }
+    any.add<edge_table>("disc of many", disc(vary.near(40U, 8U)));  // the middle is the smallest vertex
     any.add<edge_table>("nothing", {});
     closed.add<edge_table_of_closed>("nothing", {});
     any.finish();
@@ -81,6 +96,10 @@ void record_any_winding(Random& random, Recorder& out)
 void record_wild(Random& random, Recorder& out)
 {
     EdgeLog log(out, "edges");
+    // Short questions: one triangle, and one that is none.
+    const auto v = in_random_order(random, std::vector<std::uint32_t>{0, 1, 2, 3});
+    for (const glm::uvec3& none : {glm::uvec3(v[0], v[3], v[0]), {v[1], v[1], v[3]}, {v[3], v[2], v[2]}})
+        log.add<edge_table>("two triangles, one is none", {tetrahedron().positions, {{v[0], v[1], v[2]}, none}});
     for (const Sample& sample : wild_meshes()) {
         IndexedMesh mesh = with_lonely_vertices(sample.mesh, 3);
         const auto last = static_cast<std::uint32_t>(mesh.positions.size()) - 1;
@@ -101,50 +120,14 @@ void record_closed(Random& random, Recorder& out)
     log.finish();
 }
 
-/// How two vertices are made one number: this one times a factor plus the other.
-enum class Times { smaller, larger };
-
-// Two discs, of whose spokes each one of the first has the same number as one of the second, in 64 or in 32 bits. A
-// factor of 0 stands for the number of vertices.
-IndexedMesh discs_with_equal_keys(Times times, std::uint32_t factor, Variation& vary)
-{
-    constexpr std::uint32_t slices = 16;
-    constexpr std::uint32_t most_down = 100'000;
-    // So many vertices, 153,000 to 196,000, that `up` times as many are 2 to the power of 32 and less than `up` more.
-    std::uint32_t up = vary.near(25'000U, 3'000U);
-    const auto count = static_cast<std::uint32_t>((std::uint64_t{1} << 32U) / up + 1);
-    const std::uint32_t few = vary.near(300U, 200U);
-    const std::uint32_t many = vary.near(120'000U, 5'000U);
-    if (factor == 0) {
-        factor = count;
-    } else {
-        up = 1;
-        while (up * factor > most_down) ++up;  // modulo 2 to the power of 32
-    }
-    const std::uint32_t down = up * factor;
-
-    // A disc's middle is the smaller vertex of its spokes.
-    const glm::uvec2 first = times == Times::smaller ? glm::uvec2(few, many) : glm::uvec2(most_down + few, many);
-    const glm::uvec2 second = times == Times::smaller ? first + glm::uvec2(up, -down) : first + glm::uvec2(-down, up);
-    IndexedMesh mesh{std::vector<glm::vec3>(count), {}};
-    for (const glm::uvec2& disc : {first, second}) {
-        for (std::uint32_t slice = 0; slice < slices; ++slice)
-            mesh.triangles.emplace_back(disc.x, disc.y + slice, disc.y + (slice + 1) % slices);
-    }
-    return mesh;
-}
-
-void record_large_indices(Variation& vary, Recorder& out)
+void record_large_indices(Case& c, Recorder& out)
 {
     EdgeLog log(out, "edges");
-    for (const std::uint32_t slices : {vary.one_of(5U, std::array{4U, 6U, 7U}), vary.near(40U, 9U)})
-        log.add<edge_table>("three cones", cones_with_large_indices(slices));
-    for (const std::uint32_t factor :
-         {0U, 1000U, 1024U, 4096U, 5000U, 10'000U, 16'384U, 65'536U, 100'000U, 1'000'000U}) {
-        const std::string name = factor == 0 ? "the number of vertices" : std::to_string(factor);
-        log.add<edge_table>("discs, factor " + name, discs_with_equal_keys(Times::smaller, factor, vary));
-        log.add<edge_table>("discs, larger vertex, factor " + name, discs_with_equal_keys(Times::larger, factor, vary));
+    log.add<edge_table>("three cones", cones_with_large_indices(c.vary.near(40U, 9U)));
+    for (const std::uint32_t factor : {1000U, 1024U, 4096U, 5000U, 10'000U, 16'384U, 65'536U, 100'000U, 131'072U}) {
+        log.add<edge_table>("discs, factor " + std::to_string(factor), discs_with_equal_keys(factor, c.vary));
     }
+    log.add<edge_table>("more than 32 bits", equal_keys_in_32_bits(c.vary, c.random));
     log.finish();
 }
 
@@ -153,6 +136,7 @@ void record_large_mesh(Random& random, Recorder& out)
     EdgeLog log(out, "edges");
     const IndexedMesh mesh = shuffled(torus(70, 60), random);
     log.add<edge_table>("torus of 8400 triangles", with_mixed_winding(mesh, random));
+    log.add<edge_table>("disc of hundreds", disc(260 + random.below(60)));  // more than 8 bits count
     log.finish();
     EdgeLog closed(out, "edges of closed");
     closed.add<edge_table_of_closed>("torus of 8400 triangles", mesh);
@@ -221,7 +205,7 @@ const Driver driver = {
     {"any winding", [](Case& c, Recorder& out) { record_any_winding(c.random, out); }},
     {"odd meshes", [](Case& c, Recorder& out) { record_wild(c.random, out); }},
     {"closed", [](Case& c, Recorder& out) { record_closed(c.random, out); }},
-    {"large indices", [](Case& c, Recorder& out) { record_large_indices(c.vary, out); }},
+    {"large indices", [](Case& c, Recorder& out) { record_large_indices(c, out); }},
     {"large mesh", [](Case& c, Recorder& out) { record_large_mesh(c.random, out); }},
     {"closed alone", [](Case& c, Recorder& out) { record_closed_alone(c.vary, out); }},
     {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
