@@ -14,7 +14,7 @@ struct OrbitCameraSettings {
     double pitch = 0;           ///< above the plane y = target.y; |pitch| <= max_pitch
     double min_distance = 0.1;  ///< > 0
     double max_distance = 1000;
-    double max_pitch = 1.5533430342749532;  ///< 89 degrees: at 90 the picture would have no up
+    double max_pitch = 1.5533430342749532;  ///< 89 degrees; less than π/2, where the picture would have no up
     int viewport_height = 480;              ///< pixels, > 0
 };
 
