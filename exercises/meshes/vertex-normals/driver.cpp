@@ -60,6 +60,42 @@ void record_known(Variation& vary, Recorder& out)
     record_varied(cube);
 }
 
+/// Adds so many triangles round one vertex, the fan's peak, in any order. They go round it once for every fifty, so
+/// that few are slivers.
+void add_fan(IndexedMesh& mesh, std::uint32_t count, Random& random)
+{
+    IndexedMesh fan{{{0, 1, 0}}, {}};
+    for (std::uint32_t i = 0; i <= count; ++i) {
+        const double angle = 6.283185307179586 * i / 50;
+        const double out = 1 + random.uniform_double();
+        fan.positions.emplace_back(out * std::sin(angle), 0.5 * random.uniform_double(), out * std::cos(angle));
+    }
+    turn(fan, random);
+    const auto peak = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), fan.positions.begin(), fan.positions.end());
+    for (std::uint32_t i = 1; i <= count; ++i) fan.triangles.emplace_back(peak, peak + i, peak + i + 1);
+    for (std::uint32_t i = count; i > 1; --i) std::swap(fan.triangles[i - 1], fan.triangles[random.below(i)]);
+    begin_anywhere(fan, random);
+    mesh.triangles.insert(mesh.triangles.end(), fan.triangles.begin(), fan.triangles.end());
+}
+
+// Vertices with hundreds of triangles, in most cases as many as no byte counts. The others of their triangles are as
+// elsewhere, and nobody records them.
+void record_peaks(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        IndexedMesh mesh;
+        std::vector<std::size_t> peaks;
+        for (const std::uint32_t count : {i % 2 == 0 ? 512 : 200 + random.below(300), 256U, 256U, 256U}) {
+            peaks.push_back(mesh.positions.size());
+            add_fan(mesh, count, random);
+        }
+        const std::vector<glm::vec3> normals = ask<vertex_normals>(out, mesh);
+        for (const std::size_t peak : peaks)
+            if (peak < normals.size()) out.append("vertices", normals[peak]);
+    }
+}
+
 void record_random(Random& random, Variation& vary, Recorder& out)
 {
     for (int i = 0; i < 5; ++i) {
@@ -70,6 +106,7 @@ void record_random(Random& random, Variation& vary, Recorder& out)
     }
     record(out, varied(vary, trefoil(40, 7, 0.4)));
     record_behind_others(out, hills(12, 9, random));
+    record_peaks(random, out);
 }
 
 // The places of a sheet's vertices are multiples of 1/64, so that degenerate triangles are exactly degenerate in any
@@ -204,8 +241,9 @@ void record_far(Random& random, Recorder& out)
 void record_work(Random& random, Recorder& out)
 {
     out.text("blocks.names", "triangles");
-    for (const std::uint32_t side : {11U, 16U, 22U, 32U, 45U}) {
-        const IndexedMesh mesh = hills(side, side, random);
+    for (const std::uint32_t side : {8U, 11U, 16U, 22U, 32U}) {
+        IndexedMesh mesh = hills(side, side, random);
+        add_fan(mesh, static_cast<std::uint32_t>(mesh.triangles.size()), random);  // half of them round one vertex
         record_cost(out, "blocks", mesh.triangles.size(), [&] {
             const std::vector<glm::vec3> faces = ask<face_normals>(out, mesh);
             return Amount().in_order(faces).in_order(ask<vertex_normals>(out, mesh));
