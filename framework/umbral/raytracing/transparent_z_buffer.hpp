@@ -32,7 +32,7 @@ struct GlassFragment {
     glm::vec3 m_t{1};
 };
 
-/// A frame of this size before anything is drawn: everywhere `background`, at infinity.
+/// A frame of this size, 0 or more each way, before anything is drawn: everywhere `background`, at infinity.
 [[nodiscard]] GlassFrame empty_glass_frame(int width, int height, const glm::vec3& background);
 
 /// Draws opaque fragments, in any order. One is visible if its depth is smaller than the one that the frame has there;
