@@ -146,8 +146,7 @@ std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const std:
 {
     const AskedSample fresh = asked_sample(worker, asked, seed);
     const std::vector<std::string> found = answer_patterns(fresh.answers);
-    const auto wrong = std::ranges::count_if(fresh.answers.answers, &AnswerPair::wrong);
-    if (found.empty() && wrong < static_cast<std::ptrdiff_t>(least_wrong)) return std::nullopt;
+    if (found.empty() && wrong_in(fresh.answers) < least_wrong) return std::nullopt;
     return std::ranges::find(found, pattern) != found.end();
 }
 

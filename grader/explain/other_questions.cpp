@@ -256,8 +256,9 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
                 candidates.push_back({std::move(candidate.question)});
     }
     std::ranges::stable_sort(candidates, {}, [](const Candidate& one) { return far_fetched(one.question); });
-    std::size_t undecided = 0;
-    for (const CaseChecks& group : asked) undecided += group.failing;
+    std::size_t failing = 0;
+    for (const CaseChecks& group : asked) failing += group.failing;
+    std::size_t undecided = failing;
     std::size_t weighed = 0;
     for (const CaseChecks& group : asked) {
         undecided -= group.failing;
@@ -273,8 +274,6 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
     // What not all cases were asked about might be spoken against by the others.
     if (candidates.empty() || !time.is_left()) return found;
     keep_best_function(candidates);
-    std::size_t failing = 0;
-    for (const CaseChecks& group : asked) failing += group.failing;
     const std::string headers = interface_text(worker, exercise);
     for (const Candidate& candidate : candidates) {
         const std::string words = in_words(candidate.question, headers);

@@ -21,13 +21,6 @@ constexpr std::size_t most_named = 4;  ///< more numbers of a row than that are 
 
 using Pairs = std::vector<const AnswerPair*>;
 
-double size_of(std::span<const double> numbers)
-{
-    double most = 0;
-    for (const double number : numbers) most = std::max(most, std::abs(number));
-    return most;
-}
-
 bool alike_rows(std::span<const double> a, std::span<const double> b)
 {
     const double size = size_of(b);

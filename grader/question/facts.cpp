@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 namespace umbral::grader {
 namespace {
@@ -37,25 +38,14 @@ double sine(const std::vector<double>& row, const VectorColumns& a, const Vector
     return std::sqrt(std::max(0.0, 1 - ab * ab / (aa * bb)));
 }
 
-double determinant(std::vector<double> matrix, std::size_t side)
+/// Of a matrix with two to four columns, one after the other.
+double determinant(const double* matrix, std::size_t side)
 {
-    double product = 1;
-    for (std::size_t k = 0; k < side; ++k) {
-        std::size_t pivot = k;
-        for (std::size_t i = k; i < side; ++i)
-            if (std::abs(matrix[i * side + k]) > std::abs(matrix[pivot * side + k])) pivot = i;
-        if (matrix[pivot * side + k] == 0) return 0;
-        if (pivot != k) {
-            product = -product;
-            for (std::size_t j = 0; j < side; ++j) std::swap(matrix[k * side + j], matrix[pivot * side + j]);
-        }
-        product *= matrix[k * side + k];
-        for (std::size_t i = k + 1; i < side; ++i) {
-            const double factor = matrix[i * side + k] / matrix[k * side + k];
-            for (std::size_t j = k; j < side; ++j) matrix[i * side + j] -= factor * matrix[k * side + j];
-        }
+    switch (side) {
+        case 2: return glm::determinant(glm::make_mat2(matrix));
+        case 3: return glm::determinant(glm::make_mat3(matrix));
+        default: return glm::determinant(glm::make_mat4(matrix));
     }
-    return product;
 }
 
 /// Twice the area of a triangle in the plane, negative where its corners go clockwise.
@@ -110,11 +100,8 @@ void add_triples(const QuestionTable& table, const std::vector<VectorColumns>& v
                                  [&](const auto& row) { return signed_area(row, a, b, c); }));
         else
             facts.push_back(fact("the determinant of " + words, Fact::Kind::product, table, [&](const auto& row) {
-                std::vector<double> matrix;
-                for (const VectorColumns* one : {&a, &b, &c})
-                    matrix.insert(matrix.end(), row.begin() + static_cast<std::ptrdiff_t>(one->first),
-                                  row.begin() + static_cast<std::ptrdiff_t>(one->first + 3));
-                return determinant(std::move(matrix), 3);
+                const auto column = [&row](const VectorColumns& one) { return glm::make_vec3(&row[one.first]); };
+                return glm::determinant(glm::dmat3(column(a), column(b), column(c)));
             }));
     }
 }
@@ -128,11 +115,9 @@ void add_determinants(const QuestionTable& table, std::vector<Fact>& facts)
         const std::string base = name.substr(0, name.size() - std::string_view("[0][0]").size());
         std::size_t side = 1;
         while (i + side < table.names.size() && table.names[i + side] == fmt::format("{}[0][{}]", base, side)) ++side;
-        if (side < 2 || i + side * side > table.names.size()) continue;
-        facts.push_back(fact("the determinant of " + base, Fact::Kind::product, table, [&](const auto& row) {
-            const auto first = row.begin() + static_cast<std::ptrdiff_t>(i);
-            return determinant({first, first + static_cast<std::ptrdiff_t>(side * side)}, side);
-        }));
+        if (side < 2 || side > 4 || i + side * side > table.names.size()) continue;
+        facts.push_back(fact("the determinant of " + base, Fact::Kind::product, table,
+                             [&](const auto& row) { return determinant(&row[i], side); }));
     }
 }
 

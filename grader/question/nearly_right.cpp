@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "question/alike.hpp"
+
 namespace umbral::grader {
 namespace {
 
@@ -10,16 +12,11 @@ constexpr double little = 0.01;
 
 bool is_whole(double x) { return x == std::round(x); }
 
-/// The largest number decides: beside it, the others of a row may be rounding.
 bool is_nearly_right(const AnswerPair& one)
 {
-    double size = 0;
-    double error = 0;
-    for (std::size_t i = 0; i < one.expected.size(); ++i) {
-        size = std::max(size, std::abs(one.expected[i]));
-        error = std::max(error, std::abs(one.yours[i] - one.expected[i]));
-    }
-    return error <= little * size;
+    const double most = little * size_of(one.expected);
+    return std::ranges::equal(one.yours, one.expected,
+                              [most](double yours, double right) { return std::abs(yours - right) <= most; });
 }
 
 }
