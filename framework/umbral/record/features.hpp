@@ -40,7 +40,6 @@ inline constexpr std::size_t most_numbers_of_list = 2000;
 inline constexpr std::size_t most_single_elements = 4;
 
 inline constexpr std::string_view component_names[] = {"x", "y", "z", "w"};
-inline constexpr std::string_view element_names[most_single_elements] = {"[0]", "[1]", "[2]", "[3]"};
 
 namespace detail {
 
@@ -132,13 +131,7 @@ void add_features(const Place& place, const Value& value, Features& features)
     } else if constexpr (of::is_grid<Value>) {
         features.add(value.width, with(".width"));
         features.add(value.height, with(".height"));
-    } else if constexpr (detail::is_short_array<Value>) {
-        [&]<std::size_t... Index>(std::index_sequence<Index...>)
-        {
-            (add_features(place / element_names[Index], value[Index], features), ...);
-        }
-        (std::make_index_sequence<std::tuple_size_v<Value>>{});
-    } else if constexpr (of::List<Value>) {
+    } else if constexpr (of::List<Value> && !detail::is_short_array<Value>) {
         detail::add_features_of_list(place, value, features);
     } else if constexpr (reflect::is_plain_struct<Value>) {
         reflect::for_each_field(
