@@ -8,7 +8,8 @@ double usable(float coordinate, Wrap wrap)
 {
     if (std::isnan(coordinate)) return 0;
     if (wrap == Wrap::clamp_to_edge) return std::clamp<double>(coordinate, 0, 1);
-    return std::isinf(coordinate) ? 0 : coordinate;
+    // Whole turns would not fit into whole numbers; the remainder is exact.
+    return std::isinf(coordinate) ? 0 : std::fmod(double{coordinate}, 1.0);
 }
 
 long wrapped(long index, long count, Wrap wrap)
