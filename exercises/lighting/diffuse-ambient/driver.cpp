@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
@@ -44,7 +45,8 @@ void by_hand(Variation& vary, Recorder& out)
     const Light lamp{{4, 0, 4, 1}, color({0.5F, 1, 0.25F})};
     const Material painted{color({0.125F, 0, 0.25F}), color({0.25F, 0.5F, 0.125F}), color({0.5F, 0.25F, 1})};
     const Material matt{{}, {}, color({1, 0.5F, 0.25F})};
-    const std::vector<Light> sets[] = {{}, {sun}, {lamp}, {sun, lamp}, {{{0, 0, -1, 0}, {1, 1, 1}}}};
+    const Light below{{0, 0, -1, 0}, {1, 1, 1}};
+    const std::vector<Light> sets[] = {{}, {sun}, {lamp}, {sun, lamp}, {below}, {below, lamp}};
     for (const std::vector<Light>& lights : sets) {
         record(out, {up, painted, lights, glm::vec3(0.2F)});
         record(out, {up, matt, lights, glm::vec3(0.2F)});
@@ -62,6 +64,21 @@ Question random_question(Random& random, std::uint32_t count)
     return q;
 }
 
+// How many lights there are has no limit. All together are as bright as one or two.
+void many_lights(Random& random, Recorder& out)
+{
+    for (const std::uint32_t least : {33U, 17U, 65U, 256U, 1000U, 13U, 129U, 0xFFFFU + 1}) {
+        const std::uint32_t count = least + random.below(least / 4);
+        Question q = random_question(random, std::min(count, 100U));
+        // Of more than a hundred many are alike.
+        for (std::uint32_t i = 100; i < count; ++i) q.lights.push_back(q.lights[i % 100]);
+        for (Light& light : q.lights) light.color *= 4.0F / static_cast<float>(count);
+        for (const std::size_t last : {std::size_t{0}, q.lights.size() - 1})
+            q.lights[last] = random_light(random, q.at, 0.5F);
+        record(out, q);
+    }
+}
+
 // Lights on the side of the normal, so that each of them counts; but a lamp that is taken for a sun, or a sun for a
 // lamp.
 void at_random(Random& random, Recorder& out)
@@ -74,9 +91,11 @@ void at_random(Random& random, Recorder& out)
         // Then the same but for one thing or two, for whoever remembers what was asked before.
         q.at.normal = random.unit_vector();
         record(out, q);
+        q.lights.resize(i % 10 == 0 ? 1 : q.lights.size());
+        record(out, q);
         float& w = q.lights.front().position.w;
         if (i % 2 == 0)
-            q.at.position[i / 10 % 3] += 0.125F;
+            q.at.position[i / 10 % 3] += i % 4 == 0 ? 0.125F : 2;
         else
             w = 1 - w;
         record(out, q);
@@ -102,13 +121,19 @@ void behind(Random& random, Recorder& out)
     }
 }
 
+// Off by a hundredth down to a hundred-thousandth.
+float nearly_one(Random& random)
+{
+    return 1 + (random.below(2) == 0 ? -1.0F : 1.0F) * std::pow(10.0F, random.uniform(-5, -2));
+}
+
 // Normals that are not unit, and lights from near to far: neither changes the light.
 void lengths(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
         Question q = random_question(random, 1);
         if (i % 2 == 0) {
-            q.at.normal *= i % 8 == 0 ? random.uniform(0.998F, 1.002F) : std::exp2(random.uniform(-4, 4));
+            q.at.normal *= i % 4 == 0 ? nearly_one(random) : std::exp2(random.uniform(-4, 4));
         } else {
             const glm::vec3 direction = q.at.normal + 0.5F * random.unit_vector();
             q.lights[0] = light_towards(q.at, direction, i % 4 == 1, std::exp2(random.uniform(-5, 5)));
@@ -137,14 +162,16 @@ void degenerate(Random& random, Recorder& out)
     }
 }
 
-// Radiance has no upper bound.
+// Radiance has no upper bound, and no lower one above 0.
 void bright(Random& random, Recorder& out)
 {
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 60; ++i) {
         Question q = random_question(random, 2);
-        for (Light& light : q.lights) light.color *= std::pow(10.0F, random.uniform(0, 4));
-        q.material.emission *= 20.0F;
-        q.global_ambient *= 20.0F;
+        const float exponent = i % 2 == 0 ? random.uniform(-8, 8) : random.uniform(-30, 36);
+        const float scale = std::pow(10.0F, exponent);
+        for (Light& light : q.lights) light.color *= scale * std::pow(10.0F, random.uniform(0, 1));
+        q.material.emission *= i % 3 == 0 ? 0 : scale;
+        q.global_ambient *= i % 3 == 0 ? 0 : scale;
         record(out, q);
     }
 }
@@ -164,11 +191,11 @@ void grazing(Random& random, Recorder& out)
     }
 }
 
-// Squares of these lengths are no floats.
+// Squares of these lengths are no floats; some lengths are no normalised ones.
 void tiny_and_huge(Random& random, Recorder& out)
 {
-    for (const float size : {1e-37F, 1e-30F, 1e-22F, 1e22F, 1e30F, 1e37F})
-        for (int i = 0; i < 10; ++i) {
+    for (const float size : {2e-44F, 1e-42F, 1e-39F, 1e-37F, 1e-30F, 1e-22F, 1e22F, 1e30F, 1e37F})
+        for (int i = 0; i < 8; ++i) {
             Question q = random_question(random, 0);
             const glm::vec3 direction = q.at.normal + 0.5F * random.unit_vector();
             q.at.position = size * random.in_cube();
@@ -177,6 +204,15 @@ void tiny_and_huge(Random& random, Recorder& out)
             record(out, q);
             out.append("towards", ask<direction_to_light>(out, q.lights[0], q.at.position));
         }
+    // Nearly 1, as lengths are that were made so elsewhere.
+    for (int i = 0; i < 16; ++i) {
+        Question q = random_question(random, 1);
+        q.at.normal *= nearly_one(random);
+        const glm::vec3 direction = q.at.normal + 0.5F * random.unit_vector();
+        q.lights = {light_towards(q.at, direction, i % 2 == 0, nearly_one(random))};
+        record(out, q);
+        out.append("towards", ask<direction_to_light>(out, q.lights[0], q.at.position));
+    }
     // Floats whose length is none; some are that far to both sides of the origin.
     for (int i = 0; i < 16; ++i) {
         Question q = random_question(random, 0);
@@ -216,6 +252,7 @@ void record_laws(Random& random, Recorder& out)
 const Driver driver = {
     {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
+    {"many lights", [](Case& c, Recorder& out) { many_lights(c.random, out); }},
     {"behind", [](Case& c, Recorder& out) { behind(c.random, out); }},
     {"lengths", [](Case& c, Recorder& out) { lengths(c.random, out); }},
     {"degenerate", [](Case& c, Recorder& out) { degenerate(c.random, out); }},
