@@ -128,4 +128,11 @@ AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_
     return answers;
 }
 
+std::optional<std::uint32_t> first_wrong_group(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
+{
+    for (const AskedAnswer& one : asked_answers(worker, asked, seed).all)
+        if (!one.row && one.answer.wrong) return one.question;
+    return std::nullopt;
+}
+
 }

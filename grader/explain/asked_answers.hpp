@@ -44,4 +44,9 @@ struct AskedAnswers {
 /// be run again.
 [[nodiscard]] AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_t seed);
 
+/// The first question of which the rows together are wrong. Where rows are free, one that came too often is none of the
+/// expected ones, and has no question of its own.
+[[nodiscard]] std::optional<std::uint32_t> first_wrong_group(Worker& worker, const AskedCheck& asked,
+                                                             std::uint64_t seed);
+
 }

@@ -10,6 +10,8 @@
 #include "explain/asked_answers.hpp"
 #include "explain/common_condition.hpp"
 #include "explain/other_questions.hpp"
+#include "explain/practice_example.hpp"
+#include "explain/question_code.hpp"
 #include "explain/simplest_question.hpp"
 #include "question/log.hpp"
 
@@ -35,35 +37,6 @@ struct Shown {
     QuestionSpan questions;
     std::string* code;
 };
-
-/// Of more that led to one picture the first and the last are shown.
-constexpr std::uint32_t most_together = 6;
-
-/// Those of them that are shown: all, or the first and the last.
-std::vector<std::uint32_t> shown_of(const QuestionSpan& span)
-{
-    std::vector<std::uint32_t> shown;
-    const std::uint32_t left_out = span.count > most_together ? span.count - most_together : 0;
-    for (std::uint32_t i = 0; i < span.count; ++i)
-        if (i < most_together / 2 || i >= most_together / 2 + left_out) shown.push_back(span.first + i);
-    return shown;
-}
-
-/// Questions below each other; where more than one led to a value, how many is said.
-std::string together(const QuestionSpan& span, const std::map<std::uint32_t, std::string>& code)
-{
-    const std::vector<std::uint32_t> shown = shown_of(span);
-    std::string text = span.count > 1 ? fmt::format("// {} calls in this order led to it\n", span.count) : "";
-    for (const std::uint32_t question : shown) {
-        const auto found = code.find(question);
-        if (found == code.end()) return "";
-        if (shown.size() < span.count && question == shown[most_together / 2])
-            text += fmt::format("// … {} calls left out\n", span.count - shown.size());
-        text += found->second;
-        if (question != shown.back()) text += '\n';
-    }
-    return text;
-}
 
 class CaseQuestions {
 public:
@@ -106,11 +79,16 @@ public:
         if (result.beside || !may_repeat(worker_, exercise_, one_)) return;
         const AskedCheck asked{exercise_, check, runs_, one_, log_, headers};
         if (result.first_difference && !result.first_difference->cell)
-            if (const auto question = first_wrong_group(asked))
+            if (const auto question = first_wrong_group(worker_, asked, one_.seed))
                 shown_.push_back({{*question, 1}, &result.first_difference->question});
         // What wrong answers share says nothing of the cause then.
         std::string& shared = one_.hidden ? result.practice : result.common;
         shared = alone ? right_alone : sentence_of(find_in_common(worker_, asked));
+        if (!one_.hidden) return;
+        if (auto example = practice_example(worker_, asked)) {
+            result.practice_example = std::move(example->first);
+            result.practice_seed = example->seed;
+        }
     }
 
     /// Asks for the code of all that is shown.
@@ -126,15 +104,6 @@ public:
     }
 
 private:
-    /// Where rows are free, one that came too often is none of the expected ones, and has no question of its own: the
-    /// first question of which the rows together are wrong.
-    [[nodiscard]] std::optional<std::uint32_t> first_wrong_group(const AskedCheck& asked) const
-    {
-        for (const AskedAnswer& one : asked_answers(worker_, asked, one_.seed).all)
-            if (!one.row && one.answer.wrong) return one.question;
-        return std::nullopt;
-    }
-
     /// Rows that one value may belong to, and that are answers to different questions: nobody knows which it is.
     [[nodiscard]] bool is_of_several(const Check& check, std::size_t cells, const Difference& first) const
     {
@@ -172,6 +141,9 @@ void add_questions(Worker& worker, const Exercise& exercise, const Built& built,
         questions.write();
     }
     add_simplest_question(worker, exercise, built, cases, result);
+    // `umbral debug` has other inputs: no row of its own is meant.
+    for (CheckResult& check : result.checks)
+        if (check.practice_example) check.practice_example->cell.reset();
 }
 
 }

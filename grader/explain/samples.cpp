@@ -24,17 +24,17 @@ std::size_t wrong_in(const AnswerTable& table)
     return static_cast<std::size_t>(std::ranges::count_if(table.answers, &AnswerPair::wrong));
 }
 
-std::uint64_t Samples::seed_of(std::size_t place) const
+std::uint64_t input_seed(const AskedCheck& asked, std::size_t place)
 {
-    const std::uint64_t first = asked_.result.hidden
-                                    ? case_seed("practice", "", "", asked_.exercise.id, asked_.check.case_name, 0)
-                                    : asked_.result.seed;
+    const std::uint64_t first = asked.result.hidden
+                                    ? case_seed("practice", "", "", asked.exercise.id, asked.check.case_name, 0)
+                                    : asked.result.seed;
     return first ^ (place * 0x9E3779B97F4A7C15U);
 }
 
 AskedSample Samples::others(std::size_t place, const AskedSample& but) const
 {
-    return asked_sample(worker_, asked_, VariedSeed::without_mark(seed_of(place)), &but);
+    return asked_sample(worker_, asked_, VariedSeed::without_mark(input_seed(asked_, place)), &but);
 }
 
 void Samples::add_to(AskedSample& first)
@@ -57,7 +57,7 @@ void Samples::add_to(AskedSample& first)
 const AskedSample& Samples::seen()
 {
     if (!seen_) {
-        seen_ = asked_sample(worker_, asked_, seed_of(0));
+        seen_ = asked_sample(worker_, asked_, input_seed(asked_, 0));
         if (wrong_in(seen_->answers) < enough_wrong) add_to(*seen_);
     }
     return *seen_;
@@ -75,7 +75,7 @@ const AskedSample& Samples::fresh(std::size_t number)
     (void)seen();
     std::optional<AskedSample>& one = fresh_.at(number - 1);
     // Behind all places that may be used otherwise.
-    if (!one) one = asked_sample(worker_, asked_, VariedSeed::with_mark(seed_of(most_added + 1 + number)));
+    if (!one) one = asked_sample(worker_, asked_, VariedSeed::with_mark(input_seed(asked_, most_added + 1 + number)));
     return *one;
 }
 

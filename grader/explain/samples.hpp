@@ -11,12 +11,13 @@ namespace umbral::grader {
 [[nodiscard]] std::size_t wrong_in(const std::vector<bool>& wrong);
 [[nodiscard]] std::size_t wrong_in(const AnswerTable& table);
 
+/// Inputs of a check's case, from 0 on: of a visible one first those that were graded. Of a hidden one none of these
+/// was: all follow from no secret, and are the same for everybody, so that what is said of answers to them tells
+/// nothing about those that were graded.
+[[nodiscard]] std::uint64_t input_seed(const AskedCheck& asked, std::size_t place);
+
 /// A check's answers in which something is looked for, and others on which it is confirmed; each found out once, when
 /// first asked for.
-///
-/// Of a visible check that are first of all the answers that were graded. Of a hidden one none of these is: all inputs
-/// follow from no secret, and are the same for everybody, so that what is said of them tells nothing about those that
-/// were graded.
 class Samples {
 public:
     static constexpr std::size_t most_fresh = 6;
@@ -35,7 +36,6 @@ public:
     [[nodiscard]] const AskedSample& fresh(std::size_t number);
 
 private:
-    [[nodiscard]] std::uint64_t seed_of(std::size_t place) const;
     [[nodiscard]] AskedSample others(std::size_t place, const AskedSample& but) const;
     void add_to(AskedSample& first);
 

@@ -8,6 +8,7 @@
 #include "judge/rows/columns.hpp"
 #include "judge/rows/rows.hpp"
 #include "question/log.hpp"
+#include "worker/spare_time.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -15,6 +16,9 @@ namespace {
 constexpr std::size_t most_checks = 2;   ///< for which it is looked for: those that are shown first
 constexpr std::size_t most_wrong = 200;  ///< rows of one run whose questions are compared
 constexpr double much_shorter = 0.75;    ///< of the first question's length
+/// All runs of a unit together, the reference's too: what is shown beside a wrong value is not worth waiting for
+/// longer.
+constexpr double most_seconds = 2;
 
 /// From coarse to fine: the first at which the work is still wrong has the simplest inputs.
 constexpr Grain grains[] = {{1, 0}, {2, 0}, {2, 2}, {3, 0}, {4, 0}, {4, 4}, {6, 0}};
@@ -42,28 +46,40 @@ struct Simplest {
     }
 };
 
-/// The length of the question behind a check's first wrong value.
-double first_length(Worker& worker, const Exercise& exercise, const Check& check, const CaseResult& one,
-                    const Difference& first)
+/// One failing check, and the inputs with which its first wrong value was found: of a hidden check practice inputs.
+struct Search {
+    Worker& worker;
+    const Exercise& exercise;
+    const Built& built;
+    const Check& check;
+    const Difference& first;
+    std::uint64_t seed;
+    SpareTime& time;
+};
+
+/// The length of the question behind the first wrong value.
+double first_length(const Search& search)
 {
-    const QuestionLog& log = worker.questions(exercise, check.case_name, one.seed);
-    const auto question = first.cell ? log.question_of(check.value, *first.cell, 0) : std::nullopt;
-    return question ? length_of(log, *question, first.question) : 0;
+    const QuestionLog& log = search.worker.questions(search.exercise, search.check.case_name, search.seed);
+    const auto question = search.first.cell ? log.question_of(search.check.value, *search.first.cell, 0) : std::nullopt;
+    return question ? length_of(log, *question, search.first.question) : 0;
 }
 
 /// The wrong rows of one run, each with its question. False if the run took its whole time: another would, too.
-bool look_at(Worker& worker, const Exercise& exercise, const Built& built, const Check& check, const CaseResult& one,
-             const Grain& grain, Simplest& simplest)
+bool look_at(const Search& search, const Grain& grain, Simplest& simplest)
 {
+    const auto& [worker, exercise, built, check, first, seed, time] = search;
     const auto ask = [&](Answers solution, Inquiry inquiry) {
         inquiry.grain = grain;
-        return worker.inquire(exercise, solution, check.case_name, one.seed, inquiry);
+        return search.time.spent_on(
+            search.worker.inquire(search.exercise, solution, search.check.case_name, search.seed, inquiry));
     };
     const RunOutcome told = ask(Answers::reference, {.questions = true});
     if (told.verdict != Verdict::ok) return true;
     const RunOutcome expected = judged_against(check) == Answers::reference ? told : ask(Answers::oracle, {});
     if (expected.verdict != Verdict::ok) return true;
-    const RunOutcome student = worker.run_coarse(exercise, built, check.case_name, one.seed, grain, expected);
+    const RunOutcome student =
+        time.spent_on(worker.run_coarse(exercise, built, check.case_name, seed, grain, expected));
     const Expected side = expected_of(check, expected);
     const Tensor* yours = observed(check, student);
     if (student.verdict == Verdict::timeout) return false;
@@ -99,18 +115,24 @@ bool look_at(Worker& worker, const Exercise& exercise, const Built& built, const
     if (!best.found || (simplest.found && simplest.length <= best.length)) return true;
     // What is wrong only after other questions shows nothing.
     const RunOutcome alone =
-        worker.run_coarse(exercise, built, check.case_name, one.seed, grain, expected, only(best.question));
+        time.spent_on(worker.run_coarse(exercise, built, check.case_name, seed, grain, expected, only(best.question)));
     if (!is_row_right(check, alone, side, {log, best.question, best.row})) simplest.offer(best);
     return true;
+}
+
+/// The first wrong value that a student is shown.
+const std::optional<Difference>& shown_first(const CheckResult& result)
+{
+    return result.hidden ? result.practice_example : result.first_difference;
 }
 
 bool can_be_simpler(const Check& check, const CheckResult& result)
 {
     const JudgeRecord& judge = judge_of(check);
+    const std::optional<Difference>& first = shown_first(result);
     // Where the answer depends on the calls before, another question shows nothing.
-    return !result.beside && result.common != right_alone && result.score < check.points && !check.hidden &&
-           !check.relation && !judge.free_rows && judge.plain_values && judge.look == Look::none &&
-           result.first_difference && !result.first_difference->question.empty();
+    return !result.beside && result.common != right_alone && result.score < check.points && !check.relation &&
+           !judge.free_rows && judge.plain_values && judge.look == Look::none && first && !first->question.empty();
 }
 
 }
@@ -123,20 +145,29 @@ void add_simplest_question(Worker& worker, const Exercise& exercise, const Built
         if (can_be_simpler(exercise.checks[i], result.checks[i]) &&
             may_repeat(worker, exercise, cases.at(exercise.checks[i].case_name)))
             checks.push_back(i);
-    std::ranges::stable_sort(checks, {}, [&](std::size_t i) { return judge_of(exercise.checks[i]).place; });
+    // What everybody sees first.
+    std::ranges::stable_sort(checks, {}, [&](std::size_t i) {
+        return std::pair(result.checks[i].hidden, judge_of(exercise.checks[i]).place);
+    });
     if (checks.size() > most_checks) checks.resize(most_checks);
+    SpareTime time;
+    time.allow(most_seconds);
     for (const std::size_t i : checks) {
+        CheckResult& of_check = result.checks[i];
         const Check& check = exercise.checks[i];
+        const std::uint64_t seed = check.hidden ? of_check.practice_seed : cases.at(check.case_name).seed;
+        const Search search{worker, exercise, built, check, *shown_first(of_check), seed, time};
         Simplest simplest;
         const bool in_time = std::ranges::all_of(grains, [&](const Grain& grain) {
-            return worker.spare_time().is_left() &&
-                   look_at(worker, exercise, built, check, cases.at(check.case_name), grain, simplest);
+            return worker.spare_time().is_left() && time.is_left() && look_at(search, grain, simplest);
         });
+        if (simplest.found && simplest.length < much_shorter * first_length(search)) {
+            if (check.hidden)
+                of_check.practice_example = std::move(simplest.found);
+            else
+                of_check.simplest = std::move(simplest.found);
+        }
         if (!in_time) return;
-        const double first =
-            first_length(worker, exercise, check, cases.at(check.case_name), *result.checks[i].first_difference);
-        if (simplest.found && simplest.length < much_shorter * first)
-            result.checks[i].simplest = std::move(simplest.found);
     }
 }
 

@@ -42,7 +42,9 @@ struct CheckResult {
     std::optional<Difference> first_difference;
     std::string common{};  ///< "wrong wherever …": what all questions with wrong answers share; empty if nothing does
     std::string practice{};  ///< the same of a hidden check, about inputs that are not graded and the same for all
-    bool beside = false;     ///< right where the case is asked alone, and wrong only with other questions in between
+    std::optional<Difference> practice_example{};  ///< of a hidden check, the first wrong value with such inputs
+    std::uint64_t practice_seed = 0;               ///< of its inputs; in no file
+    bool beside = false;  ///< right where the case is asked alone, and wrong only with other questions in between
     std::optional<Difference> simplest{};  ///< a wrong value with a question that is simpler than the first one's;
                                            ///< `where` says which of its numbers, or nothing
     std::string

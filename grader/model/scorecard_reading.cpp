@@ -68,13 +68,28 @@ std::optional<Difference> difference(const Field& field)
 
 CheckResult check(const Field& field)
 {
-    field.allow_only({"name",      "kind",     "hard",
-                      "hidden",    "unjudged", "score",
-                      "max_score", "error",    "reference_error",
-                      "message",   "metrics",  "first_difference",
-                      "common",    "beside",   "simplest",
-                      "about",     "headline", "sketch",
-                      "artefacts", "seeds",    "practice"});
+    field.allow_only({"name",
+                      "kind",
+                      "hard",
+                      "hidden",
+                      "unjudged",
+                      "score",
+                      "max_score",
+                      "error",
+                      "reference_error",
+                      "message",
+                      "metrics",
+                      "first_difference",
+                      "common",
+                      "beside",
+                      "simplest",
+                      "about",
+                      "headline",
+                      "sketch",
+                      "artefacts",
+                      "seeds",
+                      "practice",
+                      "practice_example"});
     CheckResult result;
     result.name = text(field.member("name"));
     result.kind = kind(field.member("kind"));
@@ -93,6 +108,8 @@ CheckResult check(const Field& field)
     if (const Field simplest = field.member("simplest"); simplest.given()) result.simplest = difference(simplest);
     if (const Field common = field.member("common"); common.given()) result.common = text(common);
     if (const Field practice = field.member("practice"); practice.given()) result.practice = text(practice);
+    if (const Field example = field.member("practice_example"); example.given())
+        result.practice_example = difference(example);
     if (const Field beside = field.member("beside"); beside.given()) result.beside = beside.boolean();
     if (const Field about = field.member("about"); about.given()) result.about = text(about);
     if (const Field headline = field.member("headline"); headline.given()) result.headline = text(headline);

@@ -77,6 +77,14 @@ private:
     std::string result_;
 };
 
+/// A question that is none of those graded first, and the wrong value that came of it.
+void add_other_question(Block& block, std::string_view label, const Difference& wrong, const Paint& paint)
+{
+    if (!wrong.question.empty()) block.labelled(label, code_lines(wrong.question, block.room(), paint));
+    if (!wrong.where.empty()) block.sentence(wrong.question.empty() ? label : "", wrong.where);
+    block.labelled("", side_by_side(wrong, block.room(), paint));
+}
+
 /// `told` stands above it: what the check only repeats of it is left out.
 void add_first_failing(Block& block, const CheckResult& check, std::string_view told, const Paint& paint)
 {
@@ -93,11 +101,7 @@ void add_first_failing(Block& block, const CheckResult& check, std::string_view 
         if (const std::string& question = check.first_difference->question; !question.empty())
             block.labelled("asked", code_lines(question, block.room(), paint));
     }
-    if (check.simplest) {
-        block.labelled("simplest", code_lines(check.simplest->question, block.room(), paint));
-        if (!check.simplest->where.empty()) block.sentence("", check.simplest->where);
-        block.labelled("", side_by_side(*check.simplest, block.room(), paint));
-    }
+    if (check.simplest) add_other_question(block, "simplest", *check.simplest, paint);
     block.labelled("there", wrap(paint.safe_lines(check.sketch), block.room()));
     for (const auto& [kind, path] : check.artefacts)
         block.sentence(shorten(paint.safe(kind), label_width - 2, paint.ellipsis()), path);
@@ -142,7 +146,8 @@ void add_rubric(Block& block, const UnitResult& unit)
     }
 }
 
-void add_others(Block& block, const UnitResult& unit, const std::vector<const CheckResult*>& failing)
+void add_others(Block& block, const UnitResult& unit, const std::vector<const CheckResult*>& failing,
+                const Paint& paint)
 {
     std::string others;
     for (std::size_t i = 1; i < failing.size(); ++i)
@@ -160,6 +165,11 @@ void add_others(Block& block, const UnitResult& unit, const std::vector<const Ch
                                       [&](const CheckResult* other) { return other->practice == hidden[i]->practice; });
         if (!told && !hidden[i]->practice.empty()) block.sentence("", "On practice inputs: " + hidden[i]->practice);
     }
+    // Of a visible check that fails there is an example above.
+    if (!failing.empty()) return;
+    const auto example =
+        std::ranges::find_if(hidden, [](const CheckResult* one) { return one->practice_example.has_value(); });
+    if (example != hidden.end()) add_other_question(block, "practice", *(*example)->practice_example, paint);
 }
 
 /// What makes `umbral debug` stop at the call behind a check's first wrong value.
@@ -240,7 +250,7 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint)
             "that is told below.");
     if (ran) add_pattern(block, unit, failing);
     add_reasons(block, unit);
-    if (ran) add_others(block, unit, failing);
+    if (ran) add_others(block, unit, failing, paint);
     add_rubric(block, unit);
     if (!unit.output.empty()) {
         std::vector<std::string> lines = excerpt(unit.output, block.room() - 2, paint);

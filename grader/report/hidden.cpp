@@ -27,6 +27,7 @@ SubmissionResult without_hidden_values(SubmissionResult submission)
                          .first_difference = {},
                          .common = {},
                          .practice = std::move(check.practice),
+                         .practice_example = std::move(check.practice_example),
                          .simplest = {},
                          .sketch = {},
                          .artefacts = {},

@@ -4,7 +4,9 @@
 #include "explain/asked_sample.hpp"
 #include "explain/other_questions.hpp"
 #include "question/names.hpp"
+#include "report/details.hpp"
 #include "report/hidden.hpp"
+#include "report/paint.hpp"
 #include "spoilt_reference.hpp"
 
 // What is said of bugs that are in no list of mistakes.
@@ -107,15 +109,26 @@ TEST_F(Questions, of_practice_inputs_tell_students_where_a_hidden_check_goes_wro
 {
     const std::string from = "return t;";
     const std::string to = "return ray.direction.x < 0 ? 1.001F * t : t;";
-    const std::string told = check(grade(from, to), "random/t").practice;
+    const UnitResult result = grade(from, to);
+    const std::string told = check(result, "random/t").practice;
     EXPECT_TRUE(told.starts_with("wrong wherever something is to be found and ray.direction.x is negative (")) << told;
     EXPECT_NE(told.find("every wrong answer is 1.001 times the right one"), std::string::npos) << told;
     GradeOptions options;
     options.seeds.secret = "another";
     const UnitResult other = grade(from, to, options);
     EXPECT_EQ(check(other, "random/t").practice, told);
+    const auto& example = check(result, "random/t").practice_example;
+    ASSERT_TRUE(example);
+    EXPECT_TRUE(example->question.starts_with("intersect(Ray{{")) << example->question;
+    EXPECT_NE(example->yours, example->expected);
+    EXPECT_FALSE(example->cell);
+    EXPECT_EQ(check(other, "random/t").practice_example->question, example->question);
+    EXPECT_NE(check(result, "random/t").first_difference->question, example->question);
     const SubmissionResult shown = without_hidden_values({"ada", 0, 0, {other}, {}});
     EXPECT_EQ(check(shown.units.front(), "random/t").practice, told);
+    EXPECT_TRUE(check(shown.units.front(), "random/t").practice_example);
+    const std::string terminal = unit_details(shown.units.front(), 100, Paint({}));
+    EXPECT_NE(terminal.find("practice  intersect(Ray{{"), std::string::npos) << terminal;
 }
 
 TEST_F(Questions, two_known_mistakes_at_once_are_both_told)

@@ -62,16 +62,16 @@ Markup question_in_full(const CheckResult& check)
     return markup("<p class=\"note\">The first question in full: <code>{}</code></p>\n", found->second);
 }
 
-Markup simplest(const CheckResult& check)
+/// A question that is none of those behind the check's evidence, and what came of it.
+Markup wrong_question(const char* title, const std::optional<Difference>& wrong)
 {
-    if (!check.simplest) return {};
-    const Markup where =
-        check.simplest->where.empty() ? Markup() : markup("<div><dt>at</dt><dd>{}</dd></div>", check.simplest->where);
+    if (!wrong) return {};
+    const Markup code = wrong->question.empty() ? Markup() : markup("<pre><code>{}</code></pre>\n", wrong->question);
+    const Markup where = wrong->where.empty() ? Markup() : markup("<div><dt>at</dt><dd>{}</dd></div>", wrong->where);
     return markup(
-        "<div class=\"simplest\"><h4>The simplest question with a wrong answer</h4>\n<pre><code>{}</code></pre>\n<dl "
-        "class=\"first\">{}<div class=\"of-yours\"><dt>yours</dt><dd>{}</dd></div><div "
-        "class=\"of-reference\"><dt>expected</dt><dd>{}</dd></div></dl></div>\n",
-        check.simplest->question, where, check.simplest->yours, check.simplest->expected);
+        "<div class=\"simplest\"><h4>{}</h4>\n{}<dl class=\"first\">{}<div class=\"of-yours\"><dt>yours</dt><dd>{}</dd>"
+        "</div><div class=\"of-reference\"><dt>expected</dt><dd>{}</dd></div></dl></div>\n",
+        title, code, where, wrong->yours, wrong->expected);
 }
 
 /// With a capital letter and a full stop.
@@ -121,7 +121,8 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
     if (!check.common.empty()) result += markup("<p class=\"common\">{}</p>\n", sentence(check.common));
     if (!check.practice.empty())
         result += markup("<p class=\"common\">{}</p>\n", sentence("on practice inputs: " + check.practice));
-    result += simplest(check);
+    result += wrong_question("A wrong value on practice inputs", check.practice_example);
+    result += wrong_question("The simplest question with a wrong answer", check.simplest);
     if (std::holds_alternative<std::monostate>(detail.evidence)) result += first_difference(check);
     if (!std::holds_alternative<RowsEvidence>(detail.evidence)) result += question(check);
     result += std::visit(Show{anchor}, detail.evidence);

@@ -104,7 +104,8 @@ Sorted sorted(const UnitResult& unit, const Details& details)
     Sorted result;
     for (const CheckResult& check : unit.checks) {
         const CheckDetail& known = details.of(check);
-        const bool silent = check.hidden && check.message.empty() && check.practice.empty() && !has_evidence(known);
+        const bool silent = check.hidden && check.message.empty() && check.practice.empty() &&
+                            !check.practice_example && !has_evidence(known);
         if (fails(check) && !silent)
             result.articles.push_back(&check);
         else if (fails(check))
