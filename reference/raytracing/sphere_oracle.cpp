@@ -19,8 +19,11 @@ std::optional<float> intersect(const Ray& ray, const Sphere& sphere)
     if (!(a > 0) || !(discriminant >= 0)) return std::nullopt;
 
     const Wide root = square_root(discriminant);
-    for (const Wide t : {(-half_b - root) / a, (-half_b + root) / a})
-        if (Wide(ray.t_min) < t && t < Wide(ray.t_max)) return static_cast<float>(t);
+    for (const Wide t : {(-half_b - root) / a, (-half_b + root) / a}) {
+        // The number that is returned lies in the interval.
+        const auto rounded = static_cast<float>(t);
+        if (ray.t_min < rounded && rounded < ray.t_max) return rounded;
+    }
     return std::nullopt;
 }
 

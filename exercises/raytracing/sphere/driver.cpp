@@ -51,11 +51,12 @@ std::vector<BallShot> from_inside(Random& random)
     return shots;
 }
 
-// Where the interval (t_min, t_max) decides: the ball lies behind, before t_min, beyond t_max, or round t_min.
+// Where the interval (t_min, t_max) decides: the ball lies behind, before t_min, beyond t_max, or round t_min; or the
+// interval ends before it begins, so that it is empty.
 std::vector<BallShot> behind_and_before(Random& random)
 {
     std::vector<BallShot> shots;
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 250; ++i) {
         const Sphere ball = random_ball(random);
         const auto distance = random.uniform(2, 6);
         const BallShot hit = aimed(ball, distance, 0.9 * std::sqrt(random.uniform_double()), random);
@@ -63,10 +64,14 @@ std::vector<BallShot> behind_and_before(Random& random)
         const float last = (distance + 1.01F) * ball.radius;
         BallShot miss = hit;
         BallShot kept = hit;
-        switch (i % 4) {
+        switch (i % 5) {
             case 0: miss.ray.direction = -miss.ray.direction; break;
             case 1: miss.ray.t_min = last; break;
             case 2: miss.ray.t_max = first; break;
+            case 3:
+                miss.ray.t_min = last;
+                miss.ray.t_max = first;
+                break;
             default:  // t_min inside the ball: the far root is the first one in the interval
                 kept.ray.t_min = distance * ball.radius * 0.99F;
                 kept.ray.direction = glm::vec3(normalize(glm::dvec3(ball.centre) - glm::dvec3(hit.ray.origin)));
@@ -77,12 +82,14 @@ std::vector<BallShot> behind_and_before(Random& random)
     return shots;
 }
 
-// Rays that touch: all numbers are small integers times a power of two, so that the discriminant is exactly 0 in every
-// formula.
+// Rays that touch, each beside one that passes: all numbers are small integers times a power of two, so that the
+// discriminant is exactly 0 in every formula. From two radii away it is still exact, or right to a part in 2^15, for
+// lines that are a 2^-21st of the radius beside the tangent: these pass or enter, and are no longer the same as
+// touching.
 std::vector<BallShot> tangent(Random& random)
 {
     std::vector<BallShot> shots;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 120; ++i) {
         const float radius = exact_size(random);
         const glm::vec3 centre = radius * glm::vec3(glm::ivec3(4.0F * random.in_cube()));
         const int along = static_cast<int>(random.below(3));
@@ -92,8 +99,18 @@ std::vector<BallShot> tangent(Random& random)
         touching[along] = static_cast<float>(random.below(6) + 2);
         touching[aside] = random.below(2) == 0 ? 1 : -1;
         direction[along] = -1;
+        const auto narrow = [&](std::uint32_t bits) { return std::ldexp(1.0F, -static_cast<int>(bits)); };
         glm::vec3 passing = touching;
-        passing[aside] *= 1.015625F;
+        float beside = narrow(6);
+        if (i % 3 != 0) {
+            passing[along] = 2;
+            beside = narrow(7 + random.below(15));
+        }
+        passing[aside] *= 1 + beside;
+        if (i % 3 == 2) {  // the hit does not touch but enters
+            touching[along] = 2;
+            touching[aside] *= 1 - narrow(14 + random.below(8));
+        }
         const Sphere ball{centre, radius};
         add_pair(shots, {Ray{centre + radius * touching, direction}, ball},
                  {Ray{centre + radius * passing, direction}, ball}, random);
@@ -177,35 +194,39 @@ BallShot across(Random& random)
     return {Ray{centre - inwards, inwards}, {centre, radius}};
 }
 
-// Rays without a direction, or with NaN in them, from outside, from inside, and from the surface itself, with its point
-// inside the interval; each has a twin without fault.
+// Rays without a direction, or with NaN in them, in the ends of the interval too, from outside, from inside, and from
+// the surface itself, with its point inside the interval; each has a twin without fault.
 std::vector<BallShot> no_rays(Random& random)
 {
     std::vector<BallShot> shots;
-    for (int i = 0; i < 40; ++i) {
-        const bool on_surface = i % 8 == 2 || i % 8 == 4;
+    for (int i = 0; i < 72; ++i) {
+        const int kind = i % 12;
+        const bool on_surface = kind == 2 || kind == 4;
         const BallShot hit =
             on_surface ? across(random) : aimed(random_ball(random), i % 2 == 0 ? 3 : 0.5, 0.25, random);
         BallShot none = hit;
         const auto axis = random.below(3);
-        if (i % 8 < 4)
+        if (kind < 4)
             none.ray.direction = glm::vec3(0);
-        else if (i % 8 < 6)
+        else if (kind < 6)
             none.ray.direction[axis] = not_a_number;
-        else
+        else if (kind < 8)
             none.ray.origin[axis] = not_a_number;
+        else
+            (kind < 10 ? none.ray.t_min : none.ray.t_max) = not_a_number;
+        if (kind == 10) none.ray.t_min = not_a_number;
         if (on_surface) none.ray.t_min = -1;
         add_pair(shots, hit, none, random);
     }
     return shots;
 }
 
-// The same lines with directions of all lengths: t counts in them.
+// The same lines with directions of all lengths: t counts in them, and is as large as 1e10 in short ones.
 std::vector<BallShot> long_direction(Random& random)
 {
     std::vector<BallShot> shots = random_pairs(random, 200);
     for (std::size_t i = 0; i < shots.size(); i += 2) {
-        const float length = std::pow(10.0F, random.uniform(-6, 6));
+        const float length = std::pow(10.0F, random.uniform(-9, 9));
         shots[i].ray.direction *= length;
         shots[i + 1].ray.direction *= length;
     }
