@@ -4,9 +4,7 @@
 #include "explain/asked_sample.hpp"
 #include "explain/other_questions.hpp"
 #include "question/names.hpp"
-#include "report/details.hpp"
 #include "report/hidden.hpp"
-#include "report/paint.hpp"
 #include "spoilt_reference.hpp"
 
 // What is said of bugs that are in no list of mistakes.
@@ -127,8 +125,6 @@ TEST_F(Questions, of_practice_inputs_tell_students_where_a_hidden_check_goes_wro
     const SubmissionResult shown = without_hidden_values({"ada", 0, 0, {other}, {}});
     EXPECT_EQ(check(shown.units.front(), "random/t").practice, told);
     EXPECT_TRUE(check(shown.units.front(), "random/t").practice_example);
-    const std::string terminal = unit_details(shown.units.front(), 100, Paint({}));
-    EXPECT_NE(terminal.find("practice  intersect(Ray{{"), std::string::npos) << terminal;
 }
 
 TEST_F(Questions, two_known_mistakes_at_once_are_both_told)
