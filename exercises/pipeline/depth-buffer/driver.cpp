@@ -3,6 +3,7 @@
 #include <umbral/core/random.hpp>
 #include <umbral/record/driver.hpp>
 
+#include "codes.hpp"
 #include "rings.hpp"
 
 namespace umbral {
@@ -11,13 +12,7 @@ namespace {
 using namespace pipeline;
 
 constexpr int functions = 8;
-// Columns and rows of the small buffers that stand side by side in what is recorded; not square.
-constexpr int tile_width = 7;
-constexpr int tile_height = 5;
-
 DepthFunction function(int i) { return static_cast<DepthFunction>(i); }
-
-float last_code(DepthFormat format) { return format == DepthFormat::unorm16 ? 65535.0F : 16777215.0F; }
 
 // Three answers in one row: less than, equal to, greater than the stored depth.
 glm::vec3 passes(Recorder& out, DepthFunction function, float low, float high)
@@ -32,11 +27,18 @@ glm::vec3 passes(Recorder& out, DepthFunction function, float low, float high)
     return {depth_passes(function, low, high), depth_passes(function, high, high), depth_passes(function, high, low)};
 }
 
-// A row for each function.
-void record_functions(Recorder& out)
+// A row for each function. Any numbers are compared, and the two zeros are one.
+void record_functions(Variation& vary, Recorder& out)
 {
-    const float next = std::nextafter(0.75F, 1.0F);
-    for (const auto& [low, high] : {std::pair(0.25F, 0.5F), {0.0F, 1.0F}, {0.75F, next}, {0.0F, 1e-40F}})
+    const float close = vary.near(0.75F, 0.2F);
+    for (const auto& [low, high] : {std::pair(vary.near(0.25F, 0.2F), 0.5F),
+                                    {0.0F, 1.0F},
+                                    {close, std::nextafter(close, 1.0F)},
+                                    {0.0F, vary.scaled(1e-40F, 10)},
+                                    {-vary.near(0.75F, 0.2F), -vary.near(0.25F, 0.2F)},
+                                    {-0.0F, 0.0F},
+                                    {-vary.scaled(1e-40F, 10), -0.0F},
+                                    {-vary.scaled(1e30F, 100), vary.scaled(1e30F, 100)}})
         for (int i = 0; i < functions; ++i) out.append("passes", passes(out, function(i), low, high));
 }
 
@@ -56,44 +58,15 @@ void record_formats(Variation& vary, Recorder& out)
                              vary.scaled(1e-25F, 100),
                              vary.near(-0.25F, 0.2F),
                              vary.near(1.75F, 0.5F),
-                             vary.scaled(0.0099F, 2)};
+                             vary.scaled(0.0099F, 2),
+                             vary.scaled(-300.0F, 2),
+                             vary.scaled(300.0F, 2),
+                             vary.scaled(5e4F, 1.4F),
+                             vary.scaled(1e20F, 1e5F),
+                             std::numeric_limits<float>::max()};
     for (const float depth : in_random_order(vary, depths))
         for (const DepthFormat format : {DepthFormat::unorm16, DepthFormat::unorm24, DepthFormat::float32})
             out.append("depth", ask<stored_depth>(out, format, depth));
-}
-
-// A code, and the float that is stored for it: nothing if that is more than two ulp from it.
-struct Code {
-    double number;
-    std::optional<float> stored;
-};
-
-// The code nearest to a depth, behind its neighbours: a function that stores all depths alike has not found it.
-std::array<Code, 3> codes_around(Recorder& out, DepthFormat format, float depth)
-{
-    const double last = last_code(format);
-    const double nearest = std::nearbyint(depth * last);
-    const auto code = [&](double number) {
-        const double exact = number / last;
-        const float stored = ask<stored_depth>(out, format, static_cast<float>(exact));
-        const bool near = std::abs(stored - exact) <= std::ldexp(exact, -22);
-        return Code{number, near ? std::optional(stored) : std::nullopt};
-    };
-    return {code(nearest - 1), code(nearest + 1), code(nearest)};
-}
-
-// Depths of all sizes. What comes back is recorded as the code that is stored so, -1 if none around is: an ulp beside
-// the nearest float, a code of 24 bits may lie at its neighbour's.
-void record_codes(Random& random, Recorder& out)
-{
-    for (int i = 0; i < 600; ++i) {
-        const float depth = std::exp2(-8 * random.uniform() * random.uniform());
-        const DepthFormat format = i % 4 == 0 ? DepthFormat::unorm16 : DepthFormat::unorm24;
-        const std::array<Code, 3> codes = codes_around(out, format, depth);
-        const float stored = ask<stored_depth>(out, format, depth);
-        const auto found = std::ranges::find(codes, stored, &Code::stored);
-        out.append("code", found == codes.end() ? -1 : found->number);
-    }
 }
 
 // The states that matter beside the function: all formats, and in any of them the mask off and the test disabled.
@@ -105,48 +78,6 @@ std::vector<DepthState> states(Random& random)
             {true, DepthFunction::less, true, DepthFormat::unorm24},
             {true, DepthFunction::less, false, format()},
             {false, DepthFunction::less, random.below(2) == 0, format()}};
-}
-
-// Codes and what lies between them. 24 bits are wider than a float's steps only below 1/4.
-struct Levels {
-    DepthFormat format;
-    std::uint32_t first;
-
-    [[nodiscard]] float at(double offset) const
-    {
-        const double last = format == DepthFormat::unorm16 ? 65535 : 16777215;
-        return static_cast<float>((first + offset) / last);
-    }
-};
-
-// One time in four at an end, where depths lie beyond [0, 1] too: next to 0, or next to 1, as in a cleared buffer. (The
-// last codes of 24 bits are too close for floats.)
-Levels random_levels(Random& random, DepthFormat format)
-{
-    const std::uint32_t first = 1000 + random.below(format == DepthFormat::unorm16 ? 60'000 : 1'000'000);
-    const std::uint32_t end = random.below(8);
-    if (end == 0) return {format, 0};
-    if (end == 1 && format != DepthFormat::unorm24)
-        return {format, format == DepthFormat::unorm16 ? 65'535U : 16'777'215U};
-    return {format, first};
-}
-
-// A depth within two codes of the first one, never halfway between two.
-float random_depth(Random& random, const Levels& levels)
-{
-    constexpr std::array offsets = {-1.3, -1.0, -0.7, -0.3, 0.0, 0.3, 0.7, 1.0, 1.3};
-    return levels.at(offsets[random.below(static_cast<std::uint32_t>(offsets.size()))]);
-}
-
-// A buffer of codes that the format has, all close together, so that ties occur: as the unit itself keeps them, since
-// the last bit of these floats is free. Floats lie between codes, too.
-Grid<float> random_depths(Random& random, Recorder& out, const Levels& levels)
-{
-    Grid<float> depths(tile_width, tile_height);
-    const double beside = levels.format == DepthFormat::float32 ? 0.3 : 0;
-    for (float& depth : depths.cells)
-        depth = ask<stored_depth>(out, levels.format, levels.at(static_cast<double>(random.below(3)) - 1 + beside));
-    return depths;
 }
 
 std::vector<Fragment> random_fragments(Random& random, const Levels& levels, int count)
@@ -163,21 +94,24 @@ std::vector<Fragment> random_fragments(Random& random, const Levels& levels, int
     return fragments;
 }
 
-/// One tile of the buffer that is recorded as "depths", which the last `questions` calls led to.
-void put(Recorder& out, const Grid<float>& result, Grid<float>& into, int column, int row, unsigned questions = 1)
+// The depths of a call's buffer, a row for each pixel.
+void record_depths(Recorder& out, std::size_t call, const Grid<float>& result)
 {
-    out.tile("depths", column * tile_width, row * tile_height, tile_width, tile_height, questions);
-    const Grid<float> from = of_size(result, tile_width, tile_height);
+    const Grid<float> depths = of_size(result, tile_width, tile_height);
     for (int y = 0; y < tile_height; ++y)
-        for (int x = 0; x < tile_width; ++x) into.at(column * tile_width + x, row * tile_height + y) = from.at(x, y);
+        for (int x = 0; x < tile_width; ++x) {
+            const std::array row = {static_cast<float>(call), static_cast<float>(x), static_cast<float>(y),
+                                    depths.at(x, y)};
+            out.append("depths", std::span<const float>(row));
+        }
 }
 
 // All functions in all states: which fragments are left, and what the buffers hold afterwards.
 void record_tests(Random& random, Recorder& out, int fragments_each)
 {
     const std::vector<DepthState> all = states(random);
-    Grid<float> after(functions * tile_width, static_cast<int>(all.size()) * tile_height);
     out.text("left.names", "call");
+    out.text("depths.names", "call");
     for (std::size_t row = 0; row < all.size(); ++row)
         for (int column = 0; column < functions; ++column) {
             DepthState state = all[row];
@@ -186,14 +120,14 @@ void record_tests(Random& random, Recorder& out, int fragments_each)
             Grid<float> depths = random_depths(random, out, levels);
             std::vector<Fragment> fragments = random_fragments(random, levels, fragments_each);
             ask<test_depth>(out, state, fragments, depths);
-            put(out, depths, after, column, static_cast<int>(row));
+            const std::size_t call = row * functions + static_cast<std::size_t>(column);
+            record_depths(out, call, depths);
             fragments.resize(std::min<std::size_t>(fragments.size(), static_cast<std::size_t>(fragments_each)));
-            const auto scenario = static_cast<float>(row * functions + static_cast<std::size_t>(column));
             for (const auto& [pixel, depth, weights] : fragments)
-                out.append("left", std::span<const float>(std::array{scenario, static_cast<float>(pixel.x),
-                                                                     static_cast<float>(pixel.y), depth, weights.x}));
+                out.append("left",
+                           std::span<const float>(std::array{static_cast<float>(call), static_cast<float>(pixel.x),
+                                                             static_cast<float>(pixel.y), depth, weights.x}));
         }
-    out.buffer("depths", after);
 }
 
 void record_colors(Recorder& out, const char* name, std::size_t scenario, const Layer& layer)
@@ -215,30 +149,29 @@ glm::vec3 random_color(Random& random) { return 0.1F + 1.9F * glm::abs(random.in
 void record_drawing(Random& random, Recorder& out)
 {
     const std::vector<DepthState> all = states(random);
-    Grid<float> after(2 * tile_width, static_cast<int>(all.size()) * tile_height);
-    out.text("colours.names", "picture");
+    out.text("colours.names", "call");
+    out.text("depths.names", "call");
     for (std::size_t row = 0; row < all.size(); ++row)
         for (const ShadeModel model : {ShadeModel::flat, ShadeModel::smooth}) {
-            const int column = model == ShadeModel::flat ? 0 : 1;
+            const std::size_t picture = 2 * row + (model == ShadeModel::flat ? 0 : 1);
             const Levels levels = random_levels(random, all[row].format);
             Layer layer{{tile_width, tile_height}, random_depths(random, out, levels)};
-            for (int triangle = 0; triangle < 3; ++triangle) {
+            for (std::size_t triangle = 0; triangle < 3; ++triangle) {
                 const glm::vec3 a = random_color(random);
                 const glm::vec3 b = random_color(random);
                 const std::array colors = {a, b, random_color(random)};
                 ask<draw_fragments>(out, all[row], model, colors, random_fragments(random, levels, 20), layer);
+                record_colors(out, "colours", 3 * picture + triangle, layer);
+                record_depths(out, 3 * picture + triangle, layer.depths);
             }
-            record_colors(out, "colours", 2 * row + static_cast<std::size_t>(column), layer);
-            put(out, layer.depths, after, column, static_cast<int>(row), 3);
         }
-    out.buffer("depths", after);
 }
 
 void record_merging(Random& random, Recorder& out)
 {
     const std::vector<DepthState> all = states(random);
-    Grid<float> after(functions * tile_width, static_cast<int>(all.size()) * tile_height);
     out.text("colours.names", "call");
+    out.text("depths.names", "call");
     for (std::size_t row = 0; row < all.size(); ++row)
         for (int column = 0; column < functions; ++column) {
             DepthState state = all[row];
@@ -252,10 +185,65 @@ void record_merging(Random& random, Recorder& out)
             const Layer source = layer();
             Layer target = layer();
             ask<merge_layers>(out, state, source, target);
-            record_colors(out, "colours", row * functions + static_cast<std::size_t>(column), target);
-            put(out, target.depths, after, column, static_cast<int>(row));
+            const std::size_t call = row * functions + static_cast<std::size_t>(column);
+            record_colors(out, "colours", call, target);
+            record_depths(out, call, target.depths);
         }
-    out.buffer("depths", after);
+}
+
+// What these pixels of a layer keep, each once.
+void record_pixels(Recorder& out, std::size_t call, const glm::ivec2& size, const Layer& layer,
+                   const std::vector<glm::ivec2>& pixels)
+{
+    const Grid<float> depths = of_size(layer.depths, size.x, size.y);
+    const Grid<glm::vec3> colors = of_size(layer.colors, size.x, size.y);
+    for (auto pixel = pixels.begin(); pixel != pixels.end(); ++pixel) {
+        if (std::find(pixels.begin(), pixel, *pixel) != pixel) continue;
+        const glm::vec3 color = colors.at(pixel->x, pixel->y);
+        const std::array row = {static_cast<float>(call),
+                                static_cast<float>(pixel->x),
+                                static_cast<float>(pixel->y),
+                                depths.at(pixel->x, pixel->y),
+                                color.r,
+                                color.g,
+                                color.b};
+        out.append("pixels", std::span<const float>(row));
+    }
+}
+
+// Pictures wider and higher than a byte can count, and with more pixels than two bytes can: merged, and drawn into.
+void record_large(Random& random, Recorder& out)
+{
+    out.text("pixels.names", "call");
+    const DepthState state{true, DepthFunction::less, true, DepthFormat::unorm16};
+    const auto below = [&](int count) { return static_cast<int>(random.below(static_cast<std::uint32_t>(count))); };
+    std::size_t call = 0;
+    const int some = 257 + below(100);
+    const int many = 65'600 + below(100);
+    const bool high = below(2) == 0;
+    for (const glm::ivec2 size : {glm::ivec2(3, some), {some, 3}, high ? glm::ivec2(1, many) : glm::ivec2(many, 1)}) {
+        const Levels levels{state.format, 1000 + random.below(60'000)};
+        const Grid<float> few = random_depths(random, out, levels);
+        const auto layer = [&] {
+            Layer result{{size.x, size.y, random_color(random)}, {size.x, size.y}};
+            for (float& depth : result.depths.cells) depth = few.cells[random.below(tile_width * tile_height)];
+            return result;
+        };
+        const Layer source = layer();
+        Layer target = layer();
+        std::vector<Fragment> fragments = random_fragments(random, levels, 300);
+        std::vector<glm::ivec2> pixels;
+        for (Fragment& fragment : fragments) {
+            const glm::ivec2 anywhere(below(size.x), below(size.y));
+            const glm::ivec2 at_the_end = size - 1 - anywhere % 64;
+            pixels.push_back(fragment.pixel = below(2) == 0 ? anywhere : at_the_end);
+        }
+        ask<merge_layers>(out, state, source, target);
+        record_pixels(out, call++, size, target, pixels);
+        const std::array colors = {glm::vec3(0), glm::vec3(0), random_color(random)};
+        ask<draw_fragments>(out, state, ShadeModel::flat, colors, fragments, target);
+        record_pixels(out, call++, size, target, pixels);
+    }
 }
 
 // Two layers of equal and of different sizes, some with equally many pixels.
@@ -276,7 +264,7 @@ void record_sizes(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"functions", [](Case&, Recorder& out) { record_functions(out); }},
+    {"functions", [](Case& c, Recorder& out) { record_functions(c.vary, out); }},
     {"formats", [](Case& c, Recorder& out) { record_formats(c.vary, out); }},
     {"codes", [](Case& c, Recorder& out) { record_codes(c.random, out); }},
     {"tests", [](Case& c, Recorder& out) { record_tests(c.random, out, 24); }},
@@ -284,6 +272,7 @@ const Driver driver = {
     {"drawing", [](Case& c, Recorder& out) { record_drawing(c.random, out); }},
     {"merging", [](Case& c, Recorder& out) { record_merging(c.random, out); }},
     {"sizes", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
+    {"large", [](Case& c, Recorder& out) { record_large(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_rings(out, c.vary)); }},
 };
 
