@@ -20,6 +20,10 @@ inline constexpr const char* right_without_others =
     "all of this is answered right if nothing else is asked in between: your code keeps something from one call to the "
     "next, perhaps in a static or a global variable, or takes two objects for one";
 
+inline constexpr const char* crashes_beside_others =
+    "all of this is answered right if nothing else is asked in between, and crashes otherwise: your code keeps "
+    "something from one call to the next, perhaps in a static or a global variable";
+
 /// May a case's run be repeated for what is said beside the grade? Not if it took half of what it may, nor when the
 /// time for such runs is used up.
 [[nodiscard]] inline bool may_repeat(Worker& worker, const Exercise& exercise, const CaseResult& one)

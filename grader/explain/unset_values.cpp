@@ -61,8 +61,17 @@ bool differ(const RunOutcome& a, const RunOutcome& b, const FailingCase& of)
     });
 }
 
+/// Is it the compiler's own, about one of these files? What #warning writes may hold any words, but ends with [-Wcpp];
+/// #line gives a file any name.
+bool is_of_unset(const std::string& line, const Exercise& exercise)
+{
+    const bool in_file =
+        std::ranges::any_of(exercise.files, [&](const std::string& file) { return line.starts_with(file + ":"); });
+    return in_file && (line.ends_with(" [-Wuninitialized]") || line.ends_with(" [-Wmaybe-uninitialized]"));
+}
+
 /// "g++: sphere.cpp:3:9: 'sum' is used uninitialized" for the first of the compiler's warnings of this kind.
-std::string quoted(const std::string& warnings)
+std::string quoted(const std::string& warnings, const Exercise& exercise)
 {
     constexpr std::string_view sign = " warning:";
     std::istringstream lines(warnings);
@@ -70,7 +79,7 @@ std::string quoted(const std::string& warnings)
     std::size_t count = 0;
     for (std::string line; std::getline(lines, line) && count < most_warnings;) {
         const std::size_t at = line.find(sign);
-        if (at == std::string::npos || line.find("uninitialized") == std::string::npos) continue;
+        if (at == std::string::npos || !is_of_unset(line, exercise)) continue;
         line.erase(at, sign.size());
         all += fmt::format("g++: {}\n", one_line(line.substr(0, line.rfind(" [-W")), most_letters));
         ++count;
@@ -105,7 +114,7 @@ std::optional<UnsetValues> by_unset_values(Worker& worker, const Exercise& exerc
             "Your program reads a variable, or memory, to which it never gave a value, or that is gone already (a "
             "reference to an argument, after the call): where that holds zeros instead, its answers are different.";
         return UnsetValues{{"uninitialized", sentence, confidence_of_difference, 1, false, one.hidden},
-                           one.hidden ? "" : quoted(zeros->message)};
+                           one.hidden ? "" : quoted(zeros->message, exercise)};
     }
     return std::nullopt;
 }

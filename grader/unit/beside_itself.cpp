@@ -44,7 +44,17 @@ void expect_the_same_beside_others(Worker& worker, const Exercise& exercise, con
         // OpenGL is there once, for both.
         if (exercise.gl && leaves_picture(worker.trusted(exercise, Answers::reference, name, one.seed))) continue;
         const std::uint64_t other = options.seeds.two_seeds_of(exercise, name).second;
-        RunOutcome run = worker.run_beside(exercise, built, name, one.seed, other);
+        const auto ask = [&] { return worker.run_beside(exercise, built, name, one.seed, other); };
+        RunOutcome run = ask();
+        // It has as much stack and memory as before: what crashes then, and twice, does so for what it kept.
+        if (run.verdict == Verdict::crashed && ask().verdict == Verdict::crashed) {
+            for (const std::size_t i : places) {
+                CheckResult& found = result.checks[i];
+                found.score = found.score * kept_of_ten / 10;
+                found.beside = true;
+                found.common = crashes_beside_others;
+            }
+        }
         if (run.verdict != Verdict::ok) continue;
         std::swap(one.student, run);  // judged in its place, and put back if all is right
         for (const std::size_t i : places) {

@@ -11,7 +11,8 @@ namespace umbral::grader {
 /// the next that only answers right as long as nobody else asks: what the case earns is what that run earns, but no
 /// less than eight tenths of its points, and it takes the place of the first one in `cases`.
 ///
-/// A run that crashes, or does not end, proves nothing and changes nothing. Work that is counted or judged by chance is
+/// Where it crashes then, twice, the case keeps those eight tenths; in `cases` its first run remains. A run that does
+/// not end, or needs too much memory, proves nothing and changes nothing. Work that is counted or judged by chance is
 /// left alone, and so are cases that draw, and units that call OpenGL or answer events: a context and a window are
 /// there once. Takes spare time.
 void expect_the_same_beside_others(Worker& worker, const Exercise& exercise, const Built& built, CaseResults& cases,

@@ -77,21 +77,23 @@ bool holds(Worker& worker, const Exercise& exercise, const Check& check, const C
     return !asked.before || !now || !is_beyond_chance(*asked.before, *now);
 }
 
+/// `again` holds what the rounds before came to: all of them have the time that the unit's cases have once.
 void ask_once(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases,
-              const GradeOptions& options, unsigned round, const UnitResult& result, std::vector<Asked>& asked)
+              const GradeOptions& options, unsigned round, const UnitResult& result, std::vector<Asked>& asked,
+              CaseResults& again)
 {
-    CaseResults again;
     for (Asked& one : asked) {
         if (one.held) continue;
         const Check& check = exercise.checks[one.check];
         const CheckResult& before = result.checks[one.check];
         const std::uint64_t seed = options.seeds.other_seed_of(exercise, check.case_name, round);
-        if (!again.contains(check.case_name))
-            again.emplace(check.case_name, may_run_another(again, exercise.limits)
-                                               ? run_case(worker, exercise, built, check.case_name, seed, false)
-                                               : not_reached(seed, false));
+        const std::string in_round = fmt::format("{} {}", round, check.case_name);
+        if (!again.contains(in_round))
+            again.emplace(in_round, may_run_another(again, exercise.limits)
+                                        ? run_case(worker, exercise, built, check.case_name, seed, false)
+                                        : not_reached(seed, false));
         const CaseResult& first = cases.at(check.case_name);
-        const CaseResult& other = again.at(check.case_name);
+        const CaseResult& other = again.at(in_round);
         one.best = std::max(one.best, earned(worker, exercise, check, other, before, first.seed));
         one.held = holds(worker, exercise, check, before, first, other, one);
     }
@@ -125,8 +127,9 @@ void expect_the_same_of_other_inputs(Worker& worker, const Exercise& exercise, c
     Earners earners = earners_of(worker, exercise, options, result);
     std::vector<Asked>& asked = earners.asked;
     const auto all_held = [&] { return std::ranges::all_of(asked, &Asked::held); };
+    CaseResults again;
     for (unsigned round = 0; round < most_rounds && !all_held(); ++round)
-        ask_once(worker, exercise, built, cases, options, round, result, asked);
+        ask_once(worker, exercise, built, cases, options, round, result, asked, again);
     if (all_held()) return;
     Millipoints before = 0;
     Millipoints now = 0;

@@ -55,6 +55,16 @@ TEST_F(UnsetValues, are_named_where_the_compiler_sees_them)
     EXPECT_NE(result.message.find(" uninitialized\n"), std::string::npos) << result.message;
 }
 
+// A submission can have the compiler say what it likes, in lines that look like these.
+TEST_F(UnsetValues, are_quoted_in_the_compilers_own_words_only)
+{
+    for (const std::string line : {"#warning uninitialized: 10 of 10 points", "#line 7 \"10 of 10 points\""}) {
+        const UnitResult result = grade("float sum;\n" + line + "\n for (int i = 0; i < 4; ++i) sum += 0.25F;", "sum");
+        EXPECT_TRUE(is_told(result)) << line;
+        EXPECT_EQ(result.message.find("10 of 10"), std::string::npos) << result.message;
+    }
+}
+
 TEST_F(UnsetValues, are_told_of_no_other_wrong_work)
 {
     EXPECT_FALSE(is_told(grade("", "2.0F")));

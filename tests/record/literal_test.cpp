@@ -56,6 +56,7 @@ TEST(Literal, writes_types_as_people_do)
     EXPECT_EQ(code(std::vector<glm::uvec3>{{1, 2, 3}}), "std::vector<glm::uvec3>{{1, 2, 3}}");
     EXPECT_EQ(code(std::vector<std::vector<std::uint32_t>>{{1}, {}}),
               "std::vector<std::vector<std::uint32_t>>{{1}, {}}");
+    EXPECT_EQ(code(std::vector<std::uint64_t>{1}), "std::vector<std::uint64_t>{1}");
     EXPECT_EQ(code(std::vector<Drop>{{{1, 2, 3}, 4}}), "std::vector<Drop>{{{1, 2, 3}, 4}}");
     EXPECT_EQ(code(std::array{1.0F, 2.0F}), "std::array<float, 2>{1, 2}");
     EXPECT_EQ(code(std::array{glm::vec2(1, 2), glm::vec2(3, 4)}), "std::array<glm::vec2, 2>{{{1, 2}, {3, 4}}}");

@@ -81,9 +81,9 @@ constexpr std::pair<std::string_view, std::string_view> usual_names[] = {
     {"std::__cxx11::basic_string<char>", "std::string"},
     {"std::basic_string_view<char>", "std::string_view"},
     {", 18446744073709551615", ""},
+    {"long unsigned int", "std::uint64_t"},
     {"unsigned int", "std::uint32_t"},
     {"unsigned char", "std::uint8_t"},
-    {"long unsigned int", "std::uint64_t"},
     {" >", ">"},
 };
 
