@@ -18,18 +18,19 @@ glm::dvec3 direction_of(const LightAngles& angles)
     return {std::cos(beta) * std::sin(alpha), std::sin(beta), std::cos(beta) * std::cos(alpha)};
 }
 
-// In [0, 360), also as a float: 360 less a hair rounds to 360.
+// Of an angle in (-360, 360) that in [0, 360), also as a float: 360 less a hair rounds to 360.
 float longitude(double degrees)
 {
-    const double turned = std::fmod(degrees, 360.0);
-    const auto rounded = static_cast<float>(turned < 0 ? turned + 360 : turned);
+    const auto rounded = static_cast<float>(degrees < 0 ? degrees + 360 : degrees);
     return rounded < 360 ? rounded : 0;
 }
 
 class ReferenceControl final : public LightControl {
 public:
     ReferenceControl(const LightAngles& initial, float step_degrees)
-        : longitude_(initial.longitude_degrees), latitude_(initial.latitude_degrees), step_(step_degrees)
+        : longitude_(std::remainder(double{initial.longitude_degrees}, 360.0)),
+          latitude_(initial.latitude_degrees),
+          step_(step_degrees)
     {
     }
 
@@ -55,7 +56,8 @@ private:
     {
         const double before = latitude_;
         latitude_ = std::clamp(latitude_ + step, -90.0, 90.0);
-        return latitude_ != before;
+        // Also a step that double does not hold is one.
+        return step > 0 ? before < 90 : before > -90;
     }
 
     double longitude_;

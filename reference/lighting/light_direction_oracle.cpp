@@ -32,7 +32,7 @@ float within_a_turn(Wide degrees)
 class CountingControl final : public LightControl {
 public:
     CountingControl(const LightAngles& initial, float step)
-        : initial_(initial), step_(step), base_(initial.latitude_degrees)
+        : initial_(std::fmod(Wide{initial.longitude_degrees}, 360.0L)), step_(step), base_(initial.latitude_degrees)
     {
     }
 
@@ -57,12 +57,12 @@ public:
 
     [[nodiscard]] LightAngles angles() const override
     {
-        return {within_a_turn(initial_.longitude_degrees + static_cast<Wide>(around_) * step_),
+        return {within_a_turn(initial_ + static_cast<Wide>(around_) * step_),
                 static_cast<float>(base_ + static_cast<Wide>(up_) * step_)};
     }
 
 private:
-    LightAngles initial_;
+    Wide initial_;
     Wide step_;
     Wide base_;
     std::int64_t around_ = 0;

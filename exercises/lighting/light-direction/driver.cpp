@@ -3,6 +3,7 @@
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
+#include "angles.hpp"
 #include "keys.hpp"
 #include "moons.hpp"
 
@@ -10,19 +11,6 @@ namespace umbral {
 namespace {
 
 using namespace lighting;
-
-glm::vec2 pair_of(const LightAngles& angles) { return {angles.longitude_degrees, angles.latitude_degrees}; }
-
-void record_direction(Recorder& out, const LightAngles& angles)
-{
-    out.append("direction", ask<light_direction>(out, angles));
-}
-
-void record_angles(Recorder& out, const glm::vec3& direction)
-{
-    out.columns("angles", "longitude, latitude");
-    out.append("angles", pair_of(ask<light_angles>(out, direction)));
-}
 
 void record_in_frames(Recorder& out, const LightAngles& angles, const glm::mat4& view)
 {
@@ -129,31 +117,6 @@ void record_frames(Random& random, Recorder& out)
     }
 }
 
-// Keys that are pressed in turn, from some angles on.
-struct Session {
-    LightAngles initial;
-    float step = 0;
-    std::string keys;
-};
-
-// The session mirrored: of longitudes, latitudes or both, each is its negative, and keys that turn one way those that
-// turn the other way. As written unless inputs are to vary.
-Session mirrored(Variation& vary, Session session)
-{
-    const int which = vary.one_of(0, std::array{1, 2, 3});
-    if ((which & 1) != 0) session.initial.longitude_degrees = 0 - session.initial.longitude_degrees;
-    if ((which & 2) != 0) session.initial.latitude_degrees = 0 - session.initial.latitude_degrees;
-    for (char& key : session.keys)
-        for (const std::string_view pair : {"xc", "XC", "az", "AZ"}) {
-            const bool swaps = (which & (pair == "xc" || pair == "XC" ? 1 : 2)) != 0;
-            const std::size_t at = pair.find(key);
-            if (!swaps || at == std::string_view::npos) continue;
-            key = pair[1 - at];
-            break;
-        }
-    return session;
-}
-
 // Steps of whole and of half degrees: exact in float. The latitude meets its limits, the longitude goes round.
 void keys_by_hand(Variation& vary, Recorder& out)
 {
@@ -196,6 +159,43 @@ void random_keys(Random& random, Recorder& out)
     }
 }
 
+// From any finite longitude, and back to it: next to 0 on either side, and many turns. What a turn takes off is exact.
+void any_longitude(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 20; ++i) {
+        const float size = std::pow(10.0F, i % 4 < 2 ? random.uniform(-44, -6) : random.uniform(3, 38));
+        const auto latitude = static_cast<float>(random.below(121)) - 60;
+        const LightAngles initial{i % 2 == 0 ? -size : size, latitude};
+        const float step = 0.5F * static_cast<float>(1 + random.below(60));
+        std::string keys;
+        for (int k = 0; k < 2; ++k) keys += random.below(2) == 0 ? "xC" : "cX";
+        record_keys(out, initial, step, keys);
+    }
+}
+
+// A step may be too small for the next float, but not for double. Of six lights four stand next to a pole or at one;
+// none comes to it.
+void small_steps(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 12; ++i) {
+        const float side = random.below(2) == 0 ? 1.0F : -1.0F;
+        const float middle = static_cast<float>(random.below(61));
+        const float latitude = side * (i % 3 == 0 ? middle : i % 3 == 1 ? std::nextafter(90.0F, 0.0F) : 90);
+        const float step =
+            std::ldexp(static_cast<float>(1 + random.below(3)), -24 - static_cast<int>(random.below(12)));
+        const auto control = ask_new<make_light_control>(out, "control", LightAngles{90, latitude}, step);
+        if (!control) return;
+        const std::string_view up = side > 0 ? "aA" : "zZ";
+        const std::string_view down = side > 0 ? "zZ" : "aA";
+        for (int k = 0; k < 16; ++k) {
+            const std::string_view others = "xXcCqbyW";
+            const std::string_view kind = k % 4 == 3 ? others : (k < 8 ? up : down);
+            const char key = kind[random.below(static_cast<std::uint32_t>(kind.size()))];
+            out.append("turned", ask<&LightControl::press>(out, *control, key));
+        }
+    }
+}
+
 // Two lights that are turned in turns: what one is told does not reach the other.
 void two_controls(Random& random, Recorder& out)
 {
@@ -209,32 +209,13 @@ void two_controls(Random& random, Recorder& out)
     }
 }
 
-// Next to the poles: y / |d| is 1 there but for the last digits.
-void record_poles(Random& random, Recorder& out)
+// So many keys as a sentence.
+std::string told(const LightAngles& initial, float step, bool is_x, int count)
 {
-    for (int i = 0; i < 120; ++i) {
-        const double off = std::pow(10.0, random.uniform(-6, -1));
-        const double alpha = glm::radians(random.uniform(1, 359));
-        record_angles(out, glm::vec3(off * std::sin(alpha), i % 2 == 0 ? 1 : -1, off * std::cos(alpha)));
-    }
-    // Squares of these lengths are no floats.
-    for (const float size : {1e-38F, 1e-30F, 1e-23F, 1e20F, 1e30F, 1e38F})
-        for (int i = 0; i < 5; ++i) record_angles(out, size * random.unit_vector());
-    // Next to the longitude 0: above it, and two or three floats below 360.
-    for (int i = 0; i < 30; ++i) {
-        const double above = std::pow(10.0, random.uniform(-7, -4.5F));
-        const double alpha = glm::radians(i % 2 == 0 ? above : -double{random.uniform(6.5e-5F, 9.5e-5F)});
-        record_angles(out, glm::vec3(std::sin(alpha), random.uniform(-1, 1), std::cos(alpha)));
-    }
-}
-
-// Many turns: the angle in radians has no digits left in float.
-void many_turns(Random& random, Recorder& out)
-{
-    for (int i = 0; i < 120; ++i) {
-        const float turns = std::pow(10.0F, random.uniform(3.5F, 7)) * (random.below(2) == 0 ? 1.0F : -1.0F);
-        record_direction(out, {turns, random.uniform(-89, 89)});
-    }
+    return "auto control = make_light_control(" + literal::of_value(initial, true, {}) + ", " + literal::of(step) +
+           ");\n" + std::to_string(count) + " times control->press('" + (is_x ? 'x' : 'C') +
+           "'), and behind every second one control->press('a') or, by turns of 200, control->press('Z');\n"
+           "light_direction(control->angles())";
 }
 
 // A step that is no float, twenty thousand times. The longitude may be next to 0 and 360, so the direction is asked.
@@ -243,13 +224,15 @@ void many_keys(Random& random, Recorder& out)
     for (int i = 0; i < 6; ++i) {
         const float step = random.uniform(0.05F, 0.3F);
         const LightAngles initial{random.uniform(0, 360), 0};
-        const auto control = ask_new<make_light_control>(out, "control", initial, step);
+        const auto control = make_light_control(initial, step);
         if (!control) return;
         const bool is_x = random.below(2) == 0;
         for (int k = 0; k < 20'000; ++k) {
             control->press(is_x ? 'x' : 'C');
             if (k % 2 == 0) control->press((k / 400) % 2 == 0 ? 'a' : 'Z');
-            if (k % 1000 == 999) out.append("direction", ask<light_direction>(out, control->angles()));
+            if (k % 1000 != 999) continue;
+            ask_in_words(out, [&] { return told(initial, step, is_x, k + 1); });
+            out.append("direction", light_direction(control->angles()));
         }
     }
 }
@@ -264,6 +247,8 @@ const Driver driver = {
     {"keys by hand", [](Case& c, Recorder& out) { keys_by_hand(c.vary, out); }},
     {"random keys", [](Case& c, Recorder& out) { random_keys(c.random, out); }},
     {"two lights", [](Case& c, Recorder& out) { two_controls(c.random, out); }},
+    {"any longitude", [](Case& c, Recorder& out) { any_longitude(c.random, out); }},
+    {"small steps", [](Case& c, Recorder& out) { small_steps(c.random, out); }},
     {"poles", [](Case& c, Recorder& out) { record_poles(c.random, out); }},
     {"many turns", [](Case& c, Recorder& out) { many_turns(c.random, out); }},
     {"many keys", [](Case& c, Recorder& out) { many_keys(c.random, out); }},

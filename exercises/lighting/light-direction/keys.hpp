@@ -4,8 +4,10 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <string>
+#include <string_view>
 #include <umbral/core/random.hpp>
 #include <umbral/lighting/light_direction.hpp>
+#include <umbral/record/variation.hpp>
 
 /// What users of a light's keys do, and what cameras do meanwhile.
 namespace umbral::lighting {
@@ -17,6 +19,31 @@ inline std::string random_session(Random& random, std::size_t length)
     std::string session;
     while (session.size() < length) session.append(1 + random.below(6), keys[random.below(sizeof keys - 1)]);
     session.resize(length);
+    return session;
+}
+
+/// Keys that are pressed in turn, from some angles on.
+struct Session {
+    LightAngles initial;
+    float step = 0;
+    std::string keys;
+};
+
+/// The session mirrored: of longitudes, latitudes or both, each is its negative, and keys that turn one way those that
+/// turn the other way. As written unless inputs are to vary.
+inline Session mirrored(Variation& vary, Session session)
+{
+    const int which = vary.one_of(0, std::array{1, 2, 3});
+    if ((which & 1) != 0) session.initial.longitude_degrees = 0 - session.initial.longitude_degrees;
+    if ((which & 2) != 0) session.initial.latitude_degrees = 0 - session.initial.latitude_degrees;
+    for (char& key : session.keys)
+        for (const std::string_view pair : {"xc", "XC", "az", "AZ"}) {
+            const bool swaps = (which & (pair == "xc" || pair == "XC" ? 1 : 2)) != 0;
+            const std::size_t at = pair.find(key);
+            if (!swaps || at == std::string_view::npos) continue;
+            key = pair[1 - at];
+            break;
+        }
     return session;
 }
 

@@ -1,5 +1,6 @@
 // alternative: turns +z by two rotation matrices, first about -x and then about y; keys from a table; in double
 #include <array>
+#include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <umbral/lighting/light_direction.hpp>
@@ -9,8 +10,8 @@ namespace {
 
 glm::dmat3 sky(const LightAngles& angles)
 {
-    const double alpha = glm::radians(double(angles.longitude_degrees));
-    const double beta = glm::radians(double(angles.latitude_degrees));
+    const double alpha = glm::radians(std::fmod(double(angles.longitude_degrees), 360.0));
+    const double beta = glm::radians(std::fmod(double(angles.latitude_degrees), 360.0));
     const glm::dmat4 about_y = glm::rotate(glm::dmat4(1), alpha, glm::dvec3(0, 1, 0));
     return glm::dmat3(glm::rotate(about_y, beta, glm::dvec3(-1, 0, 0)));
 }
@@ -51,8 +52,8 @@ public:
 private:
     void wrap()
     {
-        while (alpha_ < 0) alpha_ += 360;
-        while (alpha_ >= 360) alpha_ -= 360;
+        alpha_ = std::fmod(alpha_, 360.0);
+        if (alpha_ < 0) alpha_ += 360;
     }
 
     double alpha_, beta_, step_;
