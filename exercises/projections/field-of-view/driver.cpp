@@ -15,15 +15,28 @@ using namespace projections;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
 
+// A row of what the call gives, or of `none` if it refuses what it must not.
+template <class Answer, class Call>
+void record_answer(Recorder& out, const char* name, Answer none, Call call)
+{
+    try {
+        none = call();
+    } catch (const std::exception& refusal) {
+        out.refused(name, refusal.what());
+    }
+    out.append(name, none);
+}
+
 void record(Recorder& out, const Lens& lens)
 {
-    out.append("matrix", ask<perspective_matrix>(out, lens));
-    out.append("reversed", ask<reversed_perspective_matrix>(out, lens));
+    const glm::mat4 none(no_number);
+    record_answer(out, "matrix", none, [&] { return ask<perspective_matrix>(out, lens); });
+    record_answer(out, "reversed", none, [&] { return ask<reversed_perspective_matrix>(out, lens); });
 }
 
 void record_angle(Recorder& out, float fovx_degrees, float aspect)
 {
-    out.append("fovy", ask<vertical_field_of_view>(out, fovx_degrees, aspect));
+    record_answer(out, "fovy", no_number, [&] { return ask<vertical_field_of_view>(out, fovx_degrees, aspect); });
 }
 
 // A right angle; one whose half has the tangent 1/2; a picture that is higher than wide; the course's orbital camera
@@ -52,43 +65,64 @@ Lens random_lens(Random& random)
             near_plane * std::pow(10.0F, random.uniform(0.2F, 5))};
 }
 
+// Planes at any distance that floats have, but for the last few powers of ten.
+Lens any_lens(Random& random)
+{
+    const Lens lens = random_lens(random);
+    const float near_plane = std::pow(10.0F, random.uniform(-36, 33));
+    return {lens.fovy_degrees, lens.aspect, near_plane, near_plane * (lens.far_plane / lens.near_plane)};
+}
+
+// Far planes at infinity; and, for A, which is 0 there only, in pairs with some that are just very far.
 void record_infinite(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
         Lens lens = random_lens(random);
         lens.far_plane = infinity;
         record(out, lens);
+        const float far_plane = lens.near_plane * std::pow(10.0F, random.uniform(4, 9));
+        const bool infinite_first = random.below(2) == 0;
+        for (const bool is_infinite : {infinite_first, !infinite_first}) {
+            lens.far_plane = is_infinite ? infinity : far_plane;
+            record_answer(out, "A", no_number, [&] { return ask<reversed_perspective_matrix>(out, lens)[2][2]; });
+        }
     }
 }
 
 // A lens, and something that is none, in random order: every second time a lens that is almost none.
 void record_refused(Random& random, Recorder& out)
 {
-    for (int i = 0; i < 36; ++i) {
+    constexpr float least = std::numeric_limits<float>::denorm_min();
+    constexpr float most = std::numeric_limits<float>::max();
+    constexpr int kinds = 14;
+    for (int i = 0; i < 3 * kinds; ++i) {
+        const int kind = i % kinds;
         Lens good = random_lens(random);
         Lens bad = good;
         Lens close = good;
         const float angles[] = {0, 180, -40, 270, no_number};
         const float aspects[] = {0, -1.5F, no_number};
-        if (i % 12 < 5) bad.fovy_degrees = angles[i % 12];
-        if (i % 12 >= 5 && i % 12 < 8) bad.aspect = aspects[i % 12 - 5];
-        if (i % 12 == 8) bad.near_plane = 0;
-        if (i % 12 == 9) bad.near_plane = -1;
-        if (i % 12 == 10) bad.far_plane = bad.near_plane;
-        if (i % 12 == 11) bad.far_plane = i < 12 ? no_number : 0.5F * bad.near_plane;
-        if (i % 12 == 0 || i % 12 == 2) close.fovy_degrees = 1e-6F;
-        if (i % 12 == 1 || i % 12 == 3) close.fovy_degrees = std::nextafter(180.0F, 0.0F);
-        if (i % 12 == 5) close.aspect = 1e-6F;
-        if (i % 12 == 6) close.aspect = 1e6F;
-        if (i % 12 == 8) close.near_plane = 1e-30F;
-        if (i % 12 >= 9) close.far_plane = next_above(close.near_plane);
-        if (i / 12 % 2 == 1) good = close;
+        const float far_planes[] = {bad.near_plane, i < kinds ? no_number : 0.5F * bad.near_plane, -infinity, infinity};
+        if (kind < 5) bad.fovy_degrees = angles[kind];
+        if (kind >= 5 && kind < 8) bad.aspect = aspects[kind - 5];
+        if (kind == 8) bad.near_plane = 0;
+        if (kind == 9) bad.near_plane = -1;
+        if (kind >= 10) bad.far_plane = far_planes[kind - 10];
+        if (kind == 13) bad.near_plane = good.far_plane = infinity;
+        if (kind == 0 || kind == 2) close.fovy_degrees = least;
+        if (kind == 1 || kind == 3) close.fovy_degrees = std::nextafter(180.0F, 0.0F);
+        if (kind == 5) close.aspect = least;
+        if (kind == 6) close.aspect = most;
+        if (kind == 8) close.near_plane = least;
+        if (kind >= 9) close.far_plane = next_above(close.near_plane);
+        if (kind == 13) close = {close.fovy_degrees, close.aspect, most, infinity};
+        if (i / kinds % 2 == 1) good = close;
         const bool first = random.below(2) == 1;
         for (const bool is_bad : {first, !first}) {
             const Lens& asked = is_bad ? bad : good;
             record_refusal(out, "refused", [&] { return ask<perspective_matrix>(out, asked); });
             record_refusal(out, "reversed refused", [&] { return ask<reversed_perspective_matrix>(out, asked); });
-            if (i % 12 < 8)
+            if (kind < 8)
                 record_refusal(out, "angle refused",
                                [&] { return ask<vertical_field_of_view>(out, asked.fovy_degrees, asked.aspect); });
         }
@@ -102,11 +136,11 @@ float extreme_angle(int kind, Random& random)
     return kind % 4 == 3 ? rest : 180 - rest;
 }
 
-// Extreme angles, and far planes right behind near ones.
+// Extreme angles, planes at any distance, and far planes right behind near ones.
 void record_extremes(Random& random, Recorder& out)
 {
     for (int i = 0; i < 100; ++i) {
-        Lens lens = random_lens(random);
+        Lens lens = any_lens(random);
         lens.fovy_degrees = extreme_angle(i, random);
         record(out, lens);
         lens.far_plane = lens.near_plane * (1 + std::pow(10.0F, random.uniform(-5, -2)));
@@ -118,7 +152,7 @@ void record_extreme_angles(Random& random, Recorder& out)
 {
     for (int i = 0; i < 100; ++i) {
         const float angle = extreme_angle(i, random);
-        record_angle(out, angle, std::pow(10.0F, random.uniform(1, 5)));
+        record_angle(out, angle, std::pow(10.0F, i % 8 < 4 ? random.uniform(1, 5) : random.uniform(-12, 12)));
     }
 }
 
