@@ -1,11 +1,11 @@
 #include <kit/drawing.hpp>
 #include <kit/varied.hpp>
-#include <limits>
 #include <optional>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "buffers.hpp"
+#include "fetches.hpp"
 
 namespace umbral {
 namespace {
@@ -64,8 +64,9 @@ void record_mixed(Variation& vary, Recorder& out)
         {{unsigned_short, 3}, {unsigned_short, 1}, {unsigned_byte, 1}, {unsigned_byte, 3, true}},
     };
     for (const std::vector<VertexAttribute>& attributes : all)
-        for (const std::uint64_t written : {3U, 5U}) {
-            const std::uint64_t vertices = vary.one_of(written, std::array{written + 4, written + 6});
+        for (const std::uint64_t written : {1U, 3U, 5U}) {
+            const std::uint64_t vertices =
+                written == 1 ? 1 : vary.one_of(written, std::array{written + 4, written + 6});
             record_layouts(out, varied(vary, attributes), vertices);
         }
 }
@@ -91,7 +92,7 @@ void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
         const std::vector<VertexAttribute> attributes = random_attributes(random, 7);
-        record_layouts(out, attributes, 1 + random.below(5000));
+        record_layouts(out, attributes, 1 + random.below(i % 4 == 0 ? 2 : 5000));
     }
 }
 
@@ -106,15 +107,31 @@ void record_large(Random& random, Recorder& out)
     }
 }
 
-void record_repacked(Random& random, Recorder& out, const std::vector<VertexAttribute>& attributes,
-                     std::uint64_t vertices, const VertexLayout& from, const VertexLayout& to)
+/// Where numbers are floats, some that arithmetic does not leave as they are: -0, infinity, NaN of both kinds.
+void put_odd_number(Random& random, std::vector<std::byte>& source, const VertexAttribute& attribute,
+                    std::uint64_t place)
 {
-    const std::vector<std::byte> source = random_bytes(random, from.bytes);
+    constexpr std::uint32_t floats[] = {0x80000000, 0x7f800000, 0xffc00001, 0x7fa00001};
+    constexpr std::uint64_t doubles[] = {1ULL << 63U, 0x7ffULL << 52U, 0xfff8000000000001, 0x7ff4000000000001};
+    const std::uint32_t which = random.below(4);
+    if (attribute.type == ComponentType::float32) put(source, place, floats[which]);
+    if (attribute.type == ComponentType::float64) put(source, place, doubles[which]);
+}
+
+/// What repack makes of them: so many bytes at the beginning of each stretch of the result.
+void record_repacked(Random& random, Recorder& out, const std::vector<VertexAttribute>& attributes,
+                     std::uint64_t vertices, const VertexLayout& from, const VertexLayout& to, std::uint64_t bytes = 1,
+                     std::uint64_t stretch = 1)
+{
+    std::vector<std::byte> source = random_bytes(random, from.bytes);
+    for (std::size_t i = 0; i < attributes.size(); ++i)
+        put_odd_number(random, source, attributes[i], from.places[i].offset);
     const std::vector<std::byte> result = ask<repack>(out, source, from, to, attributes, vertices);
     for (std::size_t i = 0; i < to.bytes; ++i)
-        out.append("bytes", i < result.size()
-                                ? std::optional<float>(static_cast<float>(std::to_integer<int>(result[i])))
-                                : std::nullopt);
+        if (i % stretch < bytes)
+            out.append("bytes", i < result.size()
+                                    ? std::optional<float>(static_cast<float>(std::to_integer<int>(result[i])))
+                                    : std::nullopt);
 }
 
 // The course's vertex between the two layouts, written out here.
@@ -139,44 +156,31 @@ void record_any_layout(Random& random, Recorder& out, bool zeros)
     }
 }
 
-/// A buffer with a number of this type at each place of a layout, and every vertex fetched from it.
-void record_fetched(Random& random, Recorder& out, const VertexAttribute& attribute, bool zero_stride)
+// Vertices as far from each other as 16 bits do not tell, and more of them than 16 bits number.
+void record_far_vertices(Random& random, Recorder& out)
 {
-    constexpr std::uint64_t vertices = 6;
-    const std::uint64_t size = tuple_bytes(attribute) / attribute.components;
-    const std::uint64_t stride = tuple_bytes(attribute) + (zero_stride ? 0 : size * random.below(4));
-    const std::uint64_t offset = size * random.below(5);
-    std::vector<std::byte> buffer = random_bytes(random, offset + stride * vertices);
-    for (std::uint64_t vertex = 0; vertex < vertices; ++vertex)
-        for (std::uint64_t i = 0; i < attribute.components; ++i) {
-            const std::uint64_t place = offset + vertex * stride + i * size;
-            const std::uint32_t whole = vertex == 0 ? std::numeric_limits<std::uint32_t>::max() : random.bits();
-            // Every other one of any size; doubles also too small for a float.
-            const int smallest = attribute.type == ComponentType::float64 ? -60 : -30;
-            const double exponent = vertex % 2 == 0 ? 2 : smallest + (38 - smallest) * random.uniform_double();
-            const double real = std::pow(10.0, exponent) * (random.uniform_double() - 0.5);
-            switch (attribute.type) {
-                case ComponentType::unsigned_byte: put(buffer, place, static_cast<std::uint8_t>(whole)); break;
-                case ComponentType::unsigned_short: put(buffer, place, static_cast<std::uint16_t>(whole)); break;
-                case ComponentType::unsigned_int: put(buffer, place, whole); break;
-                case ComponentType::float64: put(buffer, place, real); break;
-                default: put(buffer, place, static_cast<float>(real));
-            }
-        }
-    for (std::uint64_t vertex = 0; vertex < vertices; ++vertex)
-        out.append("values", ask<fetch_attribute>(out, buffer, attribute, {offset, zero_stride ? 0 : stride}, vertex));
-}
+    const std::vector<VertexAttribute> attributes = {{ComponentType::unsigned_byte, 1 + random.below(4), true},
+                                                     {ComponentType::unsigned_short, 1 + random.below(2)}};
+    const std::uint64_t second = tuple_bytes(attributes[0]);
+    const std::uint64_t stride = second + tuple_bytes(attributes[1]);
+    const std::uint64_t apart = 65'536 + stride + random.below(5'000);
+    const VertexLayout narrow{{{0, stride}, {second, stride}}, 2 * stride};
+    const VertexLayout wide{{{0, apart}, {second, apart}}, 2 * apart};
+    record_repacked(random, out, attributes, 2, wide, narrow);
+    record_repacked(random, out, attributes, 2, narrow, wide, 25, apart);
 
-void record_fetches(Random& random, Recorder& out, bool whole, bool zero_stride)
-{
-    using enum ComponentType;
-    for (const ComponentType type : {unsigned_byte, unsigned_short, unsigned_int, float32, float64})
-        for (std::uint32_t components = 1; components <= 4; ++components)
-            for (const bool normalized : {false, true}) {
-                const bool real = type == float32 || type == float64;
-                if ((real && whole) || (!real && !whole && !zero_stride)) continue;
-                record_fetched(random, out, {type, components, normalized}, zero_stride);
-            }
+    const std::vector<VertexAttribute> bytes = {{ComponentType::unsigned_byte, 1}};
+    const std::uint64_t vertices = 65'600 + random.below(1000);
+    record_repacked(random, out, bytes, vertices, {{{0, 1}}, vertices}, {{{3, 1}}, vertices + 3}, 1, 1999);
+
+    for (const ComponentType type : {ComponentType::unsigned_short, ComponentType::float64}) {
+        const VertexAttribute attribute{type, 1 + random.below(4)};
+        const std::vector<std::byte> buffer = random_bytes(random, apart + tuple_bytes(attribute));
+        for (const std::uint64_t vertex : {0U, 1U}) record_fetch(out, buffer, attribute, {0, apart}, vertex);
+    }
+    const std::vector<std::byte> many = random_bytes(random, vertices);
+    for (const std::uint64_t vertex : {65'535U, 65'536U + random.below(60)})
+        record_fetch(out, many, bytes[0], {0, 1}, vertex);
 }
 
 // Vertices of 11 floats: a star, its colours and the rest.
@@ -255,6 +259,7 @@ const Driver driver = {
     {"large", [](Case& c, Recorder& out) { record_large(c.random, out); }},
     {"conversions", [](Case& c, Recorder& out) { record_conversions(c.random, out); }},
     {"any layout", [](Case& c, Recorder& out) { record_any_layout(c.random, out, false); }},
+    {"far apart", [](Case& c, Recorder& out) { record_far_vertices(c.random, out); }},
     {"fetched floats", [](Case& c, Recorder& out) { record_fetches(c.random, out, false, false); }},
     {"fetched whole numbers", [](Case& c, Recorder& out) { record_fetches(c.random, out, true, false); }},
     {"stride zero",
