@@ -8,6 +8,7 @@
 
 #include "judge/judges.hpp"
 #include "unit/other_inputs.hpp"
+#include "validate/known_questions.hpp"
 #include "worker/case_results.hpp"
 
 namespace umbral::grader {
@@ -31,12 +32,17 @@ Millipoints kept(Worker& worker, const Exercise& exercise, const Check& check, c
 
 }
 
-Finding expect_few_fixed_inputs(Worker& worker, const Exercise& exercise, const SeedPlan& seeds, unsigned seed)
+Finding expect_few_fixed_inputs(Worker& worker, const Exercise& exercise, const SeedPlan& seeds, unsigned seed,
+                                Tables tables)
 {
     std::vector<std::string> fixed;
     Millipoints points = 0;
     for (const Check& check : exercise.checks) {
-        const Millipoints left = judge_of(check).counts_work ? 0 : kept(worker, exercise, check, seeds);
+        Millipoints left = judge_of(check).counts_work ? 0 : kept(worker, exercise, check, seeds);
+        if (tables == Tables::tried) {
+            const double share = known_share(worker, exercise, check, seeds);
+            left = std::max(left, static_cast<Millipoints>(share * static_cast<double>(check.points)));
+        }
         points += left;
         if (left > 0) fixed.push_back(check.name);
     }
@@ -44,9 +50,9 @@ Finding expect_few_fixed_inputs(Worker& worker, const Exercise& exercise, const 
     finding.credit = 100.0 * static_cast<double>(points) / static_cast<double>(exercise.points);
     finding.holds = finding.credit <= most_fixed;
     if (!fixed.empty())
-        finding.message =
-            fmt::format("right answers to one seed's inputs earn points with another's: {}{}", fmt::join(fixed, ", "),
-                        finding.holds ? "" : "; let the driver vary what is written there (c.vary)");
+        finding.message = fmt::format(
+            "right answers to some seeds' inputs earn points with another's: {}{}", fmt::join(fixed, ", "),
+            finding.holds ? "" : "; let the driver vary what is written there (c.vary), over more than a few values");
     return finding;
 }
 

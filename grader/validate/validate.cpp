@@ -280,7 +280,10 @@ void validate_unit(Worker& worker, const Exercise& exercise, unsigned seed, cons
     guarded("columns", [&] {
         for (const Finding& finding : expect_columns(worker, exercise, options_for(seed).seeds, seed)) report(finding);
     });
-    guarded("fixed inputs", [&] { report(expect_few_fixed_inputs(worker, exercise, options_for(seed).seeds, seed)); });
+    guarded("fixed inputs", [&] {
+        const Tables tables = mistakes == KnownMistakes::graded ? Tables::tried : Tables::passed_over;
+        report(expect_few_fixed_inputs(worker, exercise, options_for(seed).seeds, seed, tables));
+    });
     guarded("stub", [&] {
         const UnitResult stub = grade_unit(worker, exercise, {begun_stub(exercise), {}, ""}, options_for(seed));
         // Of a shader that is not written yet OpenGL says that it does not compile.
