@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <kit/scene.hpp>
@@ -14,6 +15,7 @@
 #include "../script_text.hpp"
 #include "../varied_script.hpp"
 #include "scripts.hpp"
+#include "walk.hpp"
 
 namespace umbral {
 namespace {
@@ -54,7 +56,9 @@ std::string told(const input::EventScript& script, glm::ivec2 size, const input:
         text += ", of " + number(settings.content_scale.x) + " x " + number(settings.content_scale.y) + " pixels each";
     text += listens ? ",\n// with a key callback already\n" : "\n";
     text += "install_callbacks(window);";
-    const std::string lines = script_until(script, until, in_full);
+    // Written scripts are short enough to be seen as they are: what was decisive may be long ago.
+    const auto happened = std::ranges::count_if(script, [&](const auto& event) { return event.time <= until; });
+    const std::string lines = script_until(script, until, in_full || happened <= 28);
     return lines.empty() ? text : text + '\n' + lines;
 }
 
@@ -140,6 +144,40 @@ void record_random(Recorder& out, Random& random)
     }
 }
 
+/// Sessions whose gestures do not wait for each other; in the last one with a key callback that was there before.
+void record_any_order(Recorder& out, Random& random)
+{
+    out.text("commands.names", command_names(true));
+    for (int session = 1; session <= 5; ++session) {
+        const input::EventScript script = Walk(random).record(160);
+        record(out, script, wide, {.content_scale = glm::dvec2(session % 2 == 1 ? 1 : 2)}, session == 5, session);
+    }
+}
+
+/// The window's key callback, called as GLFW would for keys and locks that a script cannot press.
+void record_any_key(Recorder& out, Random& random)
+{
+    out.text("commands.names", command_names(false));
+    const input::Headless session({});
+    glfwInit();
+    GLFWwindow* const window = make_window(square);
+    LoggedWindow logged(window, true);
+    const GLFWkeyfun on_key = glfwSetKeyCallback(window, nullptr);
+    glfwSetKeyCallback(window, on_key);
+    std::size_t next = logged.rows().size();
+    for (int i = 0; i < 60; ++i) {
+        const AnyKey event = any_key(random);
+        ask_in_words(out,
+                     [&] { return "install_callbacks(window); // on_key: the key callback then\n" + told(event); });
+        if (on_key != nullptr) on_key(window, event.key, event.scancode, event.action, event.mods);
+        logged.look();
+        for (; next < logged.rows().size(); ++next) {
+            const CommandRow& row = logged.rows()[next];
+            out.append("commands", std::span<const float>(row));
+        }
+    }
+}
+
 /// A camera that does what it is told. Panning shifts the picture.
 class ObedientCamera final : public Commands {
 public:
@@ -186,6 +224,8 @@ const Driver driver = {
     {"wheel", [](Case& c, Recorder& out) { record_text(c, out, wheel); }},
     {"keys", [](Case& c, Recorder& out) { record_keys(c, out, false); }},
     {"keys passed on", [](Case& c, Recorder& out) { record_keys(c, out, true); }},
+    {"any key", [](Case& c, Recorder& out) { record_any_key(out, c.random); }},
+    {"any order", [](Case& c, Recorder& out) { record_any_order(out, c.random); }},
     {"window size", [](Case& c, Recorder& out) { record_sizes(c, out); }},
     {"two windows", [](Case& c, Recorder& out) { record_two_windows(c, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(out, c.random); }},
