@@ -125,7 +125,11 @@ private:
     {
         switch (random_.below(8)) {
             case 0:
-            case 1: happens(input::Resize{{1 + random_.below(1200), 1 + random_.below(900)}}); break;
+            case 1: {
+                const std::uint32_t width = chance(3) ? 1 : 1 + random_.below(1200);
+                happens(input::Resize{{width, chance(3) ? 1 : 1 + random_.below(900)}});
+                break;
+            }
             case 2: happens(input::Resize{{0, chance(2) ? 0 : 300}}); break;
             case 3: happens(input::CursorEnter{(entered_ = !entered_)}); break;
             case 4: happens(input::Iconify{(iconified_ = !iconified_)}); break;
