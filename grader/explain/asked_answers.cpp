@@ -18,8 +18,9 @@ constexpr std::size_t most_answers = 4000;
 /// What the driver calls them, or the places in a matrix.
 std::vector<std::string> names_of_columns(const Check& check, const Tensor* names, std::size_t components)
 {
-    // Names of events and fragments are others.
-    if (judge_of(check).free_rows) return {};
+    const JudgeRecord& record = judge_of(check);
+    if (record.columns != nullptr) return record.columns(text_of(names), components);
+    if (record.free_rows) return {};
     const bool square = components == 9 || components == 16;
     if (&rows_of(check) != &matrix_rows() || !square) return column_names(text_of(names), components, check.value);
     std::vector<std::string> entries;

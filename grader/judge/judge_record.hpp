@@ -102,6 +102,9 @@ struct JudgeRecord {
     // Explaining.
     /// resemblance() of a failing check, where both results can be judged.
     Resemblance (*resemblance)(const FailingCheck& failing, const Tensor& mistake) = nullptr;
+    /// What each number of a row is called, by the text that the driver records for that; none where it has no name of
+    /// its own. Null: as columns.hpp says, or nothing where rows are free.
+    std::vector<std::string> (*columns)(std::string_view names, std::size_t components) = nullptr;
     const RowKind& (*rows)() = nullptr;                     ///< how single rows are compared; null: as rows of numbers
     std::vector<NamedTransform> (*transforms)() = nullptr;  ///< those that are tried on its results first
     std::optional<double> (*likeness)(const Tensor& student,

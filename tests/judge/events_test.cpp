@@ -4,6 +4,7 @@
 #include <string>
 
 #include "explaining.hpp"
+#include "judge/events/events.hpp"
 #include "judge/rows/alignment.hpp"
 
 namespace umbral::grader::test {
@@ -77,6 +78,15 @@ TEST(Events, numbers_are_shown_with_their_names)
     EXPECT_EQ(first(1, 7).yours, "press: a, b, c (7)") << "names that do not fit the numbers belong to the event";
 }
 
+TEST(Events, columns_have_names_where_all_kinds_agree)
+{
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(event_columns("1 draw: heard, session\n2 update: heard, session\n3 end\n", 3),
+              (Names{"the kind of event", "heard", "session"}));
+    EXPECT_EQ(event_columns("1 pan: heard, session\n2 zoom: factor, session\n", 3), Names{});
+    EXPECT_EQ(event_columns("1 pan\n", 3), Names{});
+}
+
 TEST(Events, two_different_numbers_never_look_alike)
 {
     std::vector<float> yours = session;
@@ -94,6 +104,9 @@ TEST(Events, a_duplicate_or_another_event_is_named)
     EXPECT_DOUBLE_EQ(again.right, 2.0 * 5 / (6 + 5));
     EXPECT_EQ(again.message.substr(0, again.message.find(" (5")), "row 1: press came once more");
     EXPECT_FALSE(again.first_difference->cell) << "neither row beside it led to it";
+
+    const Judgement once = judged(session, twice);
+    EXPECT_EQ(once.message.substr(0, once.message.find(" (5")), "row 1: expected press: 3 of them, 2 came");
 
     std::vector<float> other = session;
     other[9] = 2;

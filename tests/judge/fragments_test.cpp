@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "drawn_fragments.hpp"
@@ -43,6 +44,13 @@ TEST(Fragments, rows_are_called_what_the_driver_calls_them)
     EXPECT_EQ(corners.sketch, "") << "corners are no pixels";
     EXPECT_TRUE(said("task: path, corner").message.ends_with("the first is path 0, corner 0 of task 3"));
     EXPECT_TRUE(said("segment").message.ends_with("the first is pixel (0, 0) of segment 3"));
+}
+
+TEST(Fragments, two_different_values_never_look_alike)
+{
+    const Judgement found = judged({{3, 0, 0, 0.302065F}}, {{3, 0, 0, std::nextafter(0.302065F, 1.0F)}}, {});
+    ASSERT_TRUE(found.first_difference);
+    EXPECT_NE(found.first_difference->yours, found.first_difference->expected);
 }
 
 TEST(Fragments, each_class_is_counted)

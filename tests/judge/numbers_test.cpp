@@ -32,6 +32,10 @@ TEST(Numbers, whole_ones_are_told_digit_by_digit)
     EXPECT_EQ(numbers(floats({4294967808.0F}), floats({-3e20F}), ulps(0)).first_difference->yours, "4.29497e+09");
     EXPECT_EQ(numbers(floats({16777218}), floats({-3e20F}), ulps(0)).first_difference->yours, "16777218");
     EXPECT_EQ(numbers(floats({16777216}), floats({1000000.5F}), ulps(0)).first_difference->yours, "16777216");
+    // Their neighbours are told alike: 1001600.3, and not 1.0016e+06.
+    const Judgement sums = numbers(floats({1001600.3125F}), floats({1001600}), ulps(0));
+    EXPECT_EQ(sums.first_difference->yours, "1001600.3");
+    EXPECT_EQ(sums.first_difference->expected, "1001600");
 }
 
 TEST(Numbers, equal_ones_are_right_and_say_nothing)

@@ -114,7 +114,17 @@ std::string in_words(const Parting& parting, const std::string& came, const std:
     const std::string instead = fmt::format("expected {}, {} came{}", wanted, came, gap.surplus > 0 ? " instead" : "");
     if (const auto place = later(parting, expected.cell(gap.expected), yours, gap.yours, yours_matched))
         return fmt::format("{}; it came too late, in row {} of yours", instead, *place);
-    return instead;
+    if (gap.surplus > 0) return instead;
+    const auto times_in = [&](const TensorView& view) {
+        std::size_t times = 0;
+        for (std::size_t i = 0; i < view.cells(); ++i)
+            if (same_event(tolerance, view.cell(i), expected.cell(gap.expected))) ++times;
+        return times;
+    };
+    const std::size_t found = times_in(yours);
+    const std::size_t sought = times_in(expected);
+    return found == 0 || found >= sought ? instead
+                                         : fmt::format("expected {}: {} of them, {} came", wanted, sought, found);
 }
 
 }
@@ -131,6 +141,20 @@ std::map<double, std::string> event_names(std::string_view lines)
         if (error == std::errc() && used + 1 < line.size() && line[used] == ' ') names[code] = line.substr(used + 1);
     }
     return names;
+}
+
+std::vector<std::string> event_columns(std::string_view names, std::size_t components)
+{
+    std::vector<std::string> all;
+    for (const auto& [code, name] : event_names(names)) {
+        const std::size_t colon = name.find(": ");
+        if (colon == std::string::npos || components == 0) continue;
+        std::vector<std::string> columns = column_names(std::string_view(name).substr(colon + 2), components - 1, "");
+        columns.insert(columns.begin(), "the kind of event");
+        if (columns.size() != components || (!all.empty() && columns != all)) return {};
+        all = std::move(columns);
+    }
+    return all;
 }
 
 EventWriter::EventWriter(const TensorView& expected, std::string_view names)

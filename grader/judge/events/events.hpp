@@ -36,6 +36,10 @@ private:
     std::map<double, std::size_t> used_;
 };
 
+/// What each number of an event is called: nothing unless all kinds of events that have names for their numbers call
+/// each the same.
+[[nodiscard]] std::vector<std::string> event_columns(std::string_view names, std::size_t components);
+
 /// Wrong as a mistake is: sequences that differ by at most a twentieth of what parts them from the expected one.
 [[nodiscard]] Resemblance same_events(const FailingCheck& failing, const Tensor& mistake);
 

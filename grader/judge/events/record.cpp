@@ -14,6 +14,7 @@ constinit const JudgeRecord events_judge{
     .nothing_is_empty = true,
     .judge = [](const Question& q) { return judge_events(q.check, q.student, q.expected, q.names); },
     .resemblance = same_events,
+    .columns = event_columns,
     .evidence = events_evidence,
 };
 

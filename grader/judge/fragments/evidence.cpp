@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "judge/fragments/fragments.hpp"
 
@@ -59,10 +61,11 @@ Canvas canvas_for(Fragments expected)
     return {Image(side(low.x, high.x), side(low.y, high.y), glm::u8vec4(0)), low.x - margin, low.y - margin};
 }
 
-std::vector<std::string> attribute_texts(const FragmentTable& table, const Fragment& fragment)
+std::vector<std::string> attribute_texts(const FragmentTable& table, Fragments here, int digits)
 {
+    if (here.empty()) return {"nothing"};
     std::vector<std::string> texts;
-    for (const double value : table.attributes(fragment)) texts.push_back(number_text(value));
+    for (const double value : table.attributes(here.front())) texts.push_back(number_text(value, digits));
     if (texts.empty()) texts.emplace_back("there");
     return texts;
 }
@@ -72,9 +75,9 @@ RowPair row_of(const Place& place, const FragmentWords& words, const FragmentTab
 {
     RowPair row;
     row.name = words.where(place);
-    row.yours = of_yours.empty() ? std::vector<std::string>{"nothing"} : attribute_texts(yours, of_yours.front());
-    row.expected =
-        of_expected.empty() ? std::vector<std::string>{"nothing"} : attribute_texts(expected, of_expected.front());
+    std::tie(row.yours, row.expected) = telling_apart([&](int digits) {
+        return std::pair(attribute_texts(yours, of_yours, digits), attribute_texts(expected, of_expected, digits));
+    });
     for (std::size_t i = 0; i < std::max(row.yours.size(), row.expected.size()); ++i)
         row.differs.push_back(row.yours.size() != row.expected.size() || row.yours[i] != row.expected[i]);
     row.note = tally.wrong_value > 0  ? "another value"

@@ -59,12 +59,12 @@ void set_row(const FragmentTable& expected, const Place& place, Fragments there,
         for (const auto& fragment : known.subspan(1)) difference.others.push_back(fragment.row);
 }
 
-std::string fragments_text(const FragmentTable& table, Fragments here, const FragmentWords& words)
+std::string fragments_text(const FragmentTable& table, Fragments here, const FragmentWords& words, int digits)
 {
     if (here.empty()) return "no " + words.row();
     if (here.size() > 1) return fmt::format("{} {}s", here.size(), words.row());
     std::vector<std::string> values;
-    for (const double value : table.attributes(here[0])) values.push_back(number_text(value));
+    for (const double value : table.attributes(here[0])) values.push_back(number_text(value, digits));
     return values.empty() ? "one " + words.row() : fmt::format("({})", fmt::join(values, ", "));
 }
 
@@ -123,8 +123,10 @@ Judgement judge_fragments(const Check& check, const Tensor& student, const Tenso
     judgement.message = message(result, yours, expected, words);
     if (!result.first) return judgement;
     const auto& [place, here, there] = *result.first;
-    judgement.first_difference =
-        Difference{words.where(place), fragments_text(yours, here, words), fragments_text(expected, there, words)};
+    const auto [of_yours, of_expected] = telling_apart([&, here = here, there = there](int digits) {
+        return std::pair(fragments_text(yours, here, words, digits), fragments_text(expected, there, words, digits));
+    });
+    judgement.first_difference = Difference{words.where(place), of_yours, of_expected};
     set_row(expected, place, there, *judgement.first_difference);
     judgement.message += "; the first is " + judgement.first_difference->where;
     if (with_sketch && words.are_pixels()) judgement.sketch = fragment_sketch(matcher, yours, expected, place);

@@ -147,7 +147,10 @@ std::string number_text(double recorded, int digits)
     // Ids, indices, counts and codes are told digit by digit, as far as 32 bits count.
     constexpr double last_whole = 4294967296;
     if (value == std::trunc(value) && std::abs(value) <= last_whole) return fmt::format("{:.0f}", value);
-    return fmt::format("{:.{}g}", value, digits);
+    // Nor do its neighbours change to powers of ten.
+    const int whole_digits =
+        std::abs(value) < last_whole ? static_cast<int>(fmt::formatted_size("{:.0f}", std::abs(value))) : 0;
+    return fmt::format("{:.{}g}", value, std::max(digits, whole_digits));
 }
 
 std::string count_text(double count)
