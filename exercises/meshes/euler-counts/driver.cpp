@@ -6,6 +6,7 @@
 
 #include "../zoo.hpp"
 #include "gallery.hpp"
+#include "mixtures.hpp"
 
 namespace umbral {
 namespace {
@@ -27,29 +28,17 @@ void record_counts(Recorder& out, const IndexedMesh& mesh)
     append(out, "pieces", {counts.components, counts.non_manifold_edges});
 }
 
+void name_counts(Recorder& out)
+{
+    out.columns("elements", "vertices, isolated vertices, edges, faces");
+    out.columns("boundary", "boundary edges, boundary loops");
+    out.columns("pieces", "components, edges of three faces or more");
+}
+
 void record_genus(Recorder& out, const IndexedMesh& mesh)
 {
     const std::optional<int> handles = ask<genus>(out, mesh);
     out.append("genus", handles ? std::optional<float>(static_cast<float>(*handles)) : std::nullopt);
-}
-
-// Two or three meshes side by side, in an order that says nothing.
-IndexedMesh mixture(const std::vector<Sample>& meshes, Random& random)
-{
-    IndexedMesh mesh;
-    for (std::uint32_t parts = 2 + random.below(2); parts > 0; --parts)
-        mesh = joined(mesh, meshes[random.below(static_cast<std::uint32_t>(meshes.size()))].mesh);
-    return shuffled(with_lonely_vertices(mesh, static_cast<int>(random.below(4))), random);
-}
-
-// One triangle comes twice, the second time right behind the first, from the same corner or another one.
-IndexedMesh with_one_twice(IndexedMesh mesh, Random& random)
-{
-    if (mesh.triangles.empty()) return mesh;
-    const auto first = mesh.triangles.begin() + random.below(static_cast<std::uint32_t>(mesh.triangles.size()));
-    const glm::uvec3 t = *first;
-    mesh.triangles.insert(first + 1, random.below(2) == 0 ? t : glm::uvec3(t.y, t.z, t.x));
-    return mesh;
 }
 
 void record_random(Random& random, Recorder& out)
@@ -60,26 +49,7 @@ void record_random(Random& random, Recorder& out)
         const IndexedMesh mesh = with_mixed_winding(mixture(i % 2 == 0 ? tame : wild, random), random);
         record_counts(out, i % 4 < 2 ? mesh : with_one_twice(mesh, random));
     }
-}
-
-// Two meshes that share one vertex of each, wherever these lie: inside, or on a rim.
-IndexedMesh glued(const IndexedMesh& first, const IndexedMesh& second, Random& random)
-{
-    IndexedMesh mesh = joined(first, second);
-    const auto here = random.below(static_cast<std::uint32_t>(first.positions.size()));
-    const auto there = static_cast<std::uint32_t>(first.positions.size()) +
-                       random.below(static_cast<std::uint32_t>(second.positions.size()));
-    for (glm::uvec3& t : mesh.triangles)
-        for (int corner = 0; corner < 3; ++corner)
-            if (t[corner] == there) t[corner] = here;
-    return mesh;
-}
-
-// A closed surface, with a rim where a triangle was.
-IndexedMesh opened(IndexedMesh mesh, Random& random)
-{
-    mesh.triangles.erase(mesh.triangles.begin() + random.below(static_cast<std::uint32_t>(mesh.triangles.size())));
-    return mesh;
+    name_counts(out);
 }
 
 // In pairs: a surface that has a genus, and one that has none for a single reason.
@@ -88,23 +58,29 @@ void record_genera(Random& random, Recorder& out)
     std::vector<Sample> tame = tame_meshes();
     tame.push_back({"torus with a hole", opened(torus(6, 4), random)});
     tame.push_back({"plate with two holes, cut open", opened(plate_with_holes(2), random)});
+    tame.push_back({"pillow", pillow(true)});
     for (std::uint32_t round = 0; round < 4; ++round) {
         const std::vector<IndexedMesh> without = {moebius(5 + round),  klein_bottle(4 + round, 5),
                                                   projective_plane(),  book(3 + round),
                                                   bow_tie(),           cubes_at_an_edge(),
                                                   cubes_at_a_corner(), with_mixed_winding(torus(6 + round, 5), random)};
-        const auto record_pair = [&](const IndexedMesh& mesh) {
-            const IndexedMesh other = mixture(tame, random);
+        const auto record_both = [&](const IndexedMesh& mesh, const IndexedMesh& other) {
             const bool first = random.below(2) == 1;
             record_genus(out, first ? other : mesh);
             record_genus(out, first ? mesh : other);
         };
-        for (const IndexedMesh& mesh : without) record_pair(shuffled(mesh, random));
+        const auto record_pair = [&](const IndexedMesh& mesh) { record_both(mesh, mixture(tame, random)); };
+        for (const IndexedMesh& mesh : without) record_pair(another(mesh, random));
         record_pair(with_one_twice(mixture(tame, random), random));
         for (int i = 0; i < 4; ++i) {
             const IndexedMesh closed = i % 2 == 0 ? ball(5, 4) : cube();
             const IndexedMesh open = i < 2 ? disc(6 + round) : flat_sheet(3, 3);
-            record_pair(shuffled(glued(closed, open, random), random));
+            record_pair(another(glued(closed, open, random), random));
+        }
+        for (const bool is_alone : {true, false}) {
+            IndexedMesh beside = is_alone ? IndexedMesh{} : mixture(tame, random);
+            beside = with_lonely_vertices(std::move(beside), static_cast<int>(random.below(60)));
+            record_both(another(joined(beside, pillow(false)), random), another(joined(beside, pillow(true)), random));
         }
     }
 }
@@ -117,7 +93,7 @@ void record_degenerate(Random& random, Variation& vary, Recorder& out)
         IndexedMesh mesh = with_lonely_vertices(sample.mesh, 2);
         const auto last = static_cast<std::uint32_t>(mesh.positions.size()) - 1;
         mesh.triangles.insert(mesh.triangles.begin(), {{0, last, last}, {1, 0, 1}, {2, 2, 2}});
-        mesh = shuffled(mesh, random);
+        mesh = another(mesh, random);
         std::vector<IndexedMesh> pair{mesh};
         // Nothing but triangles that are no faces, but vertices, or nothing at all.
         mesh.triangles.resize(0);
@@ -132,36 +108,56 @@ void record_degenerate(Random& random, Variation& vary, Recorder& out)
             record_genus(out, one);
         }
     }
+    name_counts(out);
 }
 
-void record_sphere(Recorder& out, const std::optional<ElementCounts>& counts)
+// A double does not hold numbers of 18 digits, but their billions and the rest: where the question is so large, each
+// has a row.
+template <auto from>
+void record_sphere(Recorder& out, std::int64_t number)
 {
-    for (const auto member : {&ElementCounts::vertices, &ElementCounts::edges, &ElementCounts::faces})
-        out.append("counts", counts ? std::optional<float>(static_cast<float>((*counts).*member)) : std::nullopt);
+    constexpr std::int64_t billion = 1'000'000'000;
+    const std::optional<ElementCounts> counts = ask<from>(out, number);
+    const auto append = [&](auto part) {
+        out.append("counts",
+                   counts ? std::optional(glm::dvec3(part(counts->vertices), part(counts->edges), part(counts->faces)))
+                          : std::nullopt);
+    };
+    if (number < billion) return append([](std::int64_t count) { return count; });
+    append([](std::int64_t count) { return count / billion; });
+    append([](std::int64_t count) { return count % billion; });
 }
 
 void record_spheres(Variation& vary, Recorder& out)
 {
     std::vector<std::int64_t> numbers{-6, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 13, 20, 30, 36, 41, 999, 30'000};
-    for (std::int64_t& number : numbers)
-        if (number > 9) number = vary.near(number, number / 4);
+    for (std::int64_t& number : numbers) {
+        if (number > 9 && vary) number += 40 + vary.near<std::int64_t>(5000, 4999);
+        if (number < 0) number = vary.near<std::int64_t>(number, -number - 1);
+    }
     for (const std::int64_t number : in_random_order(vary, numbers)) {
-        record_sphere(out, ask<sphere_from_vertices>(out, number));
-        record_sphere(out, ask<sphere_from_edges>(out, number));
-        record_sphere(out, ask<sphere_from_faces>(out, number));
+        record_sphere<sphere_from_vertices>(out, number);
+        record_sphere<sphere_from_edges>(out, number);
+        record_sphere<sphere_from_faces>(out, number);
     }
     // Powers of two and their like are exact in float; in 32 bits three times as many do not fit.
     const int bits = vary.one_of(40, std::array{38, 39, 41, 42});
-    record_sphere(out, ask<sphere_from_vertices>(out, (std::int64_t{1} << bits) + 2));
-    record_sphere(out, ask<sphere_from_edges>(out, std::int64_t{3} << bits));
-    record_sphere(out, ask<sphere_from_faces>(out, std::int64_t{2} << bits));
+    record_sphere<sphere_from_vertices>(out, (std::int64_t{1} << bits) + 2);
+    record_sphere<sphere_from_edges>(out, std::int64_t{3} << bits);
+    record_sphere<sphere_from_faces>(out, std::int64_t{2} << bits);
     // These cannot be told from their neighbours in double.
     constexpr std::int64_t most = 1'000'000'000'000'000'000;
-    record_sphere(out, ask<sphere_from_vertices>(out, most));
-    record_sphere(out, ask<sphere_from_edges>(out, most));
-    record_sphere(out, ask<sphere_from_edges>(out, most - 1));
-    record_sphere(out, ask<sphere_from_faces>(out, most));
-    record_sphere(out, ask<sphere_from_faces>(out, most - 1));
+    const std::int64_t less = vary.near(std::int64_t{500}, std::int64_t{400});
+    record_sphere<sphere_from_vertices>(out, most);
+    record_sphere<sphere_from_vertices>(out, most - 1);
+    record_sphere<sphere_from_vertices>(out, most / 7 - less);
+    record_sphere<sphere_from_edges>(out, most / 7 * 3 - 3 * less);
+    record_sphere<sphere_from_faces>(out, most / 7 * 2 - 2 * less);
+    record_sphere<sphere_from_edges>(out, most);
+    record_sphere<sphere_from_edges>(out, most - 1);
+    record_sphere<sphere_from_faces>(out, most);
+    record_sphere<sphere_from_faces>(out, most - 1);
+    out.columns("counts", "vertices, edges, faces");
 }
 
 void record_work(Recorder& out)
@@ -194,16 +190,34 @@ void record_known(Variation& vary, Recorder& out)
 {
     std::vector<Sample> samples = tame_meshes(vary);
     samples.insert(samples.begin(), {"the course's example", course_example()});
+    samples.insert(samples.end(), {{"pillow", pillow(true)},
+                                   {"pieces that share a vertex", bow_tie()},
+                                   {"cubes that share a vertex", cubes_at_a_corner()},
+                                   {"three faces at an edge", book(3)},
+                                   {"four faces at an edge", book(4)}});
     for (const Sample& sample : in_random_order(vary, samples)) {
-        record_counts(out, sample.mesh);
-        record_genus(out, sample.mesh);
+        const IndexedMesh mesh = vary ? another(sample.mesh, *vary.random()) : sample.mesh;
+        record_counts(out, mesh);
+        record_genus(out, mesh);
     }
     // 26 vertices and 48 triangles have either: sizes do not tell them apart, and with other inputs one stands in the
     // other's place.
     const bool is_ball = vary.one_of(0, std::array{1}) == 1;
-    const IndexedMesh one_of_both = is_ball ? ball(6, 5) : with_lonely_vertices(torus(6, 4), 2);
+    IndexedMesh one_of_both = is_ball ? ball(6, 5) : with_lonely_vertices(torus(6, 4), 2);
+    if (vary) one_of_both = another(one_of_both, *vary.random());
     record_counts(out, one_of_both);
     record_genus(out, one_of_both);
+    name_counts(out);
+}
+
+void record_large_indices(Random& random, Variation& vary, Recorder& out)
+{
+    for (const std::uint32_t slices : {3U, 8U, 60U}) {
+        const auto others = std::array{slices + 1, slices + 2, slices + 3};
+        record_counts(out, cones_with_large_indices(vary.one_of(slices, others)));
+    }
+    record_counts(out, spread(tube(vary.near(9U, 2U), 7), 100'000, random));
+    name_counts(out);
 }
 
 }
@@ -214,13 +228,13 @@ const Driver driver = {
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"genus", [](Case& c, Recorder& out) { record_genera(c.random, out); }},
     {"no faces", [](Case& c, Recorder& out) { record_degenerate(c.random, c.vary, out); }},
-    {"large indices",
+    {"large indices", [](Case& c, Recorder& out) { record_large_indices(c.random, c.vary, out); }},
+    {"a million vertices",
      [](Case& c, Recorder& out) {
-         for (const std::uint32_t slices : {3U, 8U, 60U}) {
-             const auto others = std::array{slices + 1, slices + 2, slices + 3};
-             record_counts(out, cones_with_large_indices(c.vary.one_of(slices, others)));
-         }
-         record_counts(out, spread(tube(c.vary.near(9U, 2U), 7), 100'000, c.random));
+         record_counts(out, another(disc(c.vary.near(20U, 9U)), c.random));
+         record_counts(out, million(tube(c.vary.near(19U, 9U), 4), c.random));
+         record_counts(out, another(flat_sheet(c.vary.near(20U, 9U), 2), c.random));
+         name_counts(out);
      }},
     {"work", [](Case&, Recorder& out) { record_work(out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_gallery(out, c.vary)); }},
