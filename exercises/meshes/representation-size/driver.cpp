@@ -40,37 +40,11 @@ void record_work(Recorder& out, std::uint64_t columns, std::uint64_t rows)
     for (const std::uint64_t count : {work.isolated, work.indexed, work.strips}) record(out, "work", count);
 }
 
-/// A number that is written down; varied, a larger one.
-std::uint64_t varied(Variation& vary, std::uint64_t number)
+/// A number that is written down; varied, any up to `most`.
+std::uint64_t varied(Variation& vary, std::uint64_t number, std::uint32_t most)
 {
-    const std::uint64_t step = 1 + number / 5;
-    return vary.one_of(number, std::array{number + step, number + 2 * step, number + 3 * step});
-}
-
-/// As usual; varied, with vertices of another size.
-EntryBytes usual_bytes(Variation& vary) { return {vary.one_of(12U, std::array{8U, 10U, 16U}), 4, 8}; }
-
-void record_sphere(Variation& vary, Recorder& out)
-{
-    for (const std::uint64_t k : {1U, 2U, 3U, 5U, 8U, 16U, 17U, 31U, 100U, 288U, 1024U})
-        record(out, "voxels", ask<voxel_bytes>(out, varied(vary, k)));
-    record(out, "voxels", ask<voxel_bytes>(out, 2'097'152));  // the most that there may be: 2^63 bits
-    for (const std::uint64_t k : {2U, 3U, 8U, 16U, 17U, 100U, 287U, 288U, 1024U})
-        record(out, "mesh", ask<sphere_mesh_bytes>(out, varied(vary, k), usual_bytes(vary)));
-    for (const auto& [vertex, index] : {std::pair{12U, 4U}, {24U, 4U}, {12U, 2U}, {1U, 1U}, {6U, 8U}, {44U, 4U}})
-        record(out, "crossover", ask<crossover_resolution>(out, EntryBytes{varied(vary, vertex), index, 8}));
-}
-
-void record_grid(Variation& vary, Recorder& out)
-{
-    for (const auto& [written_columns, written_rows] :
-         {std::pair{1U, 1U}, {8U, 4U}, {4U, 8U}, {1U, 7U}, {128U, 128U}, {1000U, 10U}}) {
-        const std::uint64_t columns = varied(vary, written_columns);
-        const std::uint64_t rows = varied(vary, written_rows);
-        record_counts(out, columns, rows);
-        record_bytes(out, columns, rows, usual_bytes(vary));
-        record_work(out, columns, rows);
-    }
+    Random* const random = vary.random();
+    return random != nullptr ? 1 + random->below(most) : number;
 }
 
 EntryBytes random_entries(Random& random)
@@ -80,6 +54,36 @@ EntryBytes random_entries(Random& random)
     bytes.index = 1 + random.below(12);
     bytes.pointer = 1 + random.below(16);
     return bytes;
+}
+
+/// As usual; varied, others.
+EntryBytes usual_bytes(Variation& vary) { return vary ? random_entries(*vary.random()) : EntryBytes{12, 4, 8}; }
+
+void record_sphere(Variation& vary, Recorder& out)
+{
+    // Below 1626, so that k³ bits have a number of 32 bits.
+    for (const std::uint64_t k : {1U, 2U, 3U, 5U, 8U, 16U, 17U, 31U, 100U, 288U, 1024U})
+        record(out, "voxels", ask<voxel_bytes>(out, varied(vary, k, 1625)));
+    record(out, "voxels", ask<voxel_bytes>(out, 2'097'152));  // the most that there may be: 2^63 bits
+    for (const std::uint64_t k : {2U, 3U, 8U, 16U, 17U, 100U, 287U, 288U, 1024U})
+        record(out, "mesh", ask<sphere_mesh_bytes>(out, 1 + varied(vary, k - 1, 2000), usual_bytes(vary)));
+    for (const auto& [vertex, index] : {std::pair{12U, 4U}, {24U, 4U}, {12U, 2U}, {1U, 1U}, {6U, 8U}, {44U, 4U}}) {
+        const std::uint64_t vertex_bytes = varied(vary, vertex, 200);
+        const std::uint64_t index_bytes = varied(vary, index, 16);
+        record(out, "crossover", ask<crossover_resolution>(out, EntryBytes{vertex_bytes, index_bytes, 8}));
+    }
+}
+
+void record_grid(Variation& vary, Recorder& out)
+{
+    for (const auto& [written_columns, written_rows] :
+         {std::pair{1U, 1U}, {8U, 4U}, {4U, 8U}, {1U, 7U}, {128U, 128U}, {1000U, 10U}}) {
+        const std::uint64_t columns = varied(vary, written_columns, 1500);
+        const std::uint64_t rows = varied(vary, written_rows, 1500);
+        record_counts(out, columns, rows);
+        record_bytes(out, columns, rows, usual_bytes(vary));
+        record_work(out, columns, rows);
+    }
 }
 
 // Of all sizes that there are: small ones mostly, and one in three of up to 4096.
@@ -137,7 +141,7 @@ glm::dvec2 on_chart(std::uint64_t k, std::uint64_t bytes)
 // grid, a square each, those of coordinates in orange; isolated triangles, indexed, strips, indexed strips.
 Image picture(Variation& vary, Recorder& out)
 {
-    const EntryBytes bytes_each = usual_bytes(vary);
+    const EntryBytes bytes_each{vary.one_of(12U, std::array{8U, 10U, 16U}), 4, 8};
     EntryBytes twice = bytes_each;
     twice.vertex *= 2;
     Drawing drawing(640, 340, {-0.2, -0.45}, {11.6, 5.8});
