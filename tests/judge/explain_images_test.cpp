@@ -242,6 +242,14 @@ TEST(ExplainBuffers, ids_off_by_one_flipped_and_shifted)
     EXPECT_EQ(first(buffer, grid(64, 48, squares(4, 0)), right), "ids off by one");
     EXPECT_EQ(first(buffer, grid(64, 48, squares(2, 0)), right), "ids off by one");
     EXPECT_EQ(first(buffer, grid(64, 48, squares(4, 1)), right), "ids off by one") << "with the background";
+    // One thing before a background is one off wherever a ray errs.
+    std::vector<std::uint32_t> thing(64 * 48, 0);
+    std::vector<std::uint32_t> erring(64 * 48, 0);
+    for (std::size_t i = 0; i < thing.size(); ++i) {
+        thing[i] = i % 64 < 20 ? 1 : 0;
+        erring[i] = i % 7 == 0 ? 1 - thing[i] : thing[i];
+    }
+    EXPECT_NE(first(buffer, grid(64, 48, erring), grid(64, 48, thing)), "ids off by one");
     EXPECT_EQ(first(buffer, grid(64, 48, squares(6, 0)), right), "none");
     const auto plain = squares(3, 0);
     auto flipped = squares(3, 0);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <set>
+#include <vector>
 
 #include "judge/explain/transforms.hpp"
 #include "judge/explain/transforms_tone.hpp"
@@ -182,11 +184,29 @@ Result invert_depth(const Check& check, const Tensor& student, const Tensor& exp
     return best;
 }
 
+/// Who counts from another number has every id wrong, but that of the background, which is the only one that agrees:
+/// whoever takes a thing for the background, or the background for a thing, is one off in these cells alone.
+bool may_count_from_another(const std::vector<ValuePair>& pairs)
+{
+    std::set<double> agreeing;
+    for (const ValuePair& pair : pairs)
+        if (pair.student == pair.expected) agreeing.insert(pair.expected);
+    if (agreeing.size() > 1) return false;
+    const auto is_background = [&](double id) { return agreeing.contains(id); };
+    return std::ranges::none_of(
+               pairs,
+               [&](const ValuePair& pair) { return pair.student != pair.expected && is_background(pair.expected); }) &&
+           std::ranges::any_of(pairs, [&](const ValuePair& pair) {
+               return pair.student != pair.expected && !is_background(pair.student);
+           });
+}
+
 Result shift_ids(const Check& check, const Tensor& student, const Tensor& expected)
 {
     if (judge_of(check).look != Look::values ||
         (student.element != Element::int32 && student.element != Element::uint32))
         return std::nullopt;
+    if (!may_count_from_another(value_pairs(student, expected))) return std::nullopt;
     Result best;
     double nearest = 0;
     for (const double by : {1.0, -1.0}) {
