@@ -44,6 +44,12 @@ void record_worked(Variation& vary, Recorder& out)
     for (const float seconds : {0.125F, 0.375F, 0.25F}) record(out, short_one, seconds);
     const CameraFlight standing = varied(vary, {{1, 2, 3}, {1, 2, 3}, {4, 2, 3}, {1, 2, 7}, 8});
     for (const float seconds : {6.0F, 1.0F}) record(out, standing, seconds);
+    // The same flight at once, and so slowly that no one sees the end of it.
+    for (const int doublings : {-148, -22, 20, 120}) {
+        CameraFlight other = quarter;
+        other.duration = std::ldexp(4.0F, doublings);
+        record(out, other, std::ldexp(doublings % 3 == 0 ? 1.0F : 3.0F, doublings));
+    }
 }
 
 void record_before_and_after(Recorder& out, Random& random)
@@ -51,21 +57,30 @@ void record_before_and_after(Recorder& out, Random& random)
     for (int i = 0; i < 20; ++i) {
         CameraFlight flight = random_flight(random);
         if (i % 4 == 0) flight.duration = i % 8 == 0 ? 0.0F : -0.0F;
-        // Over in a few microseconds, or milliseconds: no time is too short to count.
-        if (i % 4 == 1) flight.duration = std::pow(10.0F, random.uniform(-6, -2));
+        // No time is too short to count, and none too long.
+        if (i % 4 == 1) flight.duration = any_duration(random);
         if (i % 5 == 0) flight.eye_from = glm::vec3(0);
         const float beside = random.uniform(0.01F, 2) * (flight.duration > 0 ? flight.duration : 0.5F);
         for (const float seconds : {-beside, 0.0F, flight.duration, flight.duration + beside, -0.0F})
             record(out, flight, seconds);
         for (const float seconds : {infinity, -infinity}) record(out, flight, seconds);
     }
+    // An end is exact, however far away the other one is.
+    for (int i = 0; i < 12; ++i) {
+        const auto near = [&] { return std::pow(10.0F, random.uniform(-6, -3)) * random.in_cube(); };
+        const auto far = [&] { return std::pow(10.0F, random.uniform(3, 6)) * random.in_cube(); };
+        CameraFlight flight{near(), far(), far(), near(), any_duration(random)};
+        for (const float seconds : {-flight.duration, flight.duration, 2 * flight.duration})
+            record_pose(out, flight, seconds);
+    }
 }
 
 void record_random(Recorder& out, Random& random)
 {
     for (int i = 0; i < 150; ++i) {
-        const CameraFlight flight = random_flight(random);
+        CameraFlight flight = random_flight(random);
         const CameraFlight other = random_flight(random);
+        if (i % 3 == 0) flight.duration = any_duration(random);
         record(out, flight, flight.duration * random.uniform(-0.2F, 1.2F));
         record(out, other, other.duration * random.uniform());
         record(out, flight, flight.duration * random.uniform());
@@ -132,16 +147,18 @@ void record_far_views(Recorder& out, Random& random)
 /// A multiple of 1/8, up to `reach`: halves and quarters of sums of these are exact.
 glm::vec3 on_grid(Random& random, float reach) { return glm::round(8 * reach * random.in_cube()) / 8.0F; }
 
-// So nearly over or under what is looked at, from a thousandth to a thousand away, that the sine of the angle is well
-// below 1e-6, or a few times as large. Which axis is most perpendicular to the view follows from what is left of it.
+// So nearly over or under what is looked at, from a thousandth to a thousand away, that the sine of the angle is below
+// 1e-6, by far or by a little, or above it. Which axis is most perpendicular to the view follows from what is left.
 void record_nearly_above(Recorder& out, Random& random)
 {
-    for (int i = 0; i < 32; ++i) {
+    for (int i = 0; i < 40; ++i) {
         const float height = std::exp2(std::floor(random.uniform(-10, 10)));
-        const float sine = i % 4 < 3 ? std::pow(10.0F, random.uniform(-9, -6.5F)) : random.uniform(2e-6F, 2e-5F);
-        const float less = sine * random.uniform(-0.6F, 0.6F);
-        const float more = random.below(2) == 0 ? sine : -sine;
-        const glm::vec3 up(i % 2 == 0 ? less : more, random.below(2) == 0 ? 1 : -1, i % 2 == 0 ? more : less);
+        const float sines[] = {std::pow(10.0F, random.uniform(-9, -6.5F)), random.uniform(0.5e-6F, 0.98e-6F),
+                               random.uniform(1.02e-6F, 1.9e-6F), random.uniform(2e-6F, 2e-5F)};
+        const float less = random.uniform(-0.6F, 0.6F);
+        const glm::vec2 aside = sines[i % 4] * glm::normalize(glm::vec2(less, random.below(2) == 0 ? 1 : -1));
+        const bool is_x_less = i / 4 % 2 == 0;
+        const glm::vec3 up(is_x_less ? aside.x : aside.y, random.below(2) == 0 ? 1 : -1, is_x_less ? aside.y : aside.x);
         const CameraFlight flight{height * up, 2 * height * up, {0, 0, 0}, {0, 0, 0}, 4};
         record_view(out, flight, i % 3 == 0 ? 4.0F : 0.0F);
     }
@@ -168,33 +185,42 @@ void record_straight_above(Recorder& out, Random& random)
     record_nearly_above(out, random);
 }
 
-// The observer flies through the attention point, at a half or a quarter of the time, or past it by less than counts.
+// The observer flies through the attention point, at a half or a quarter of the time, or past it by less than counts,
+// or by a little more.
 void record_through(Recorder& out, Random& random)
 {
-    for (int i = 0; i < 16; ++i) {
-        const bool is_past = i % 4 > 1;
+    for (int i = 0; i < 24; ++i) {
+        const bool is_past = i % 6 > 1;
         const glm::vec3 meeting = is_past ? glm::vec3(0) : on_grid(random, 4);
         const glm::vec3 eye_step = on_grid(random, 3) + glm::vec3(0, 0, 5);
         const glm::vec3 target_step = on_grid(random, 1);
         const float before = i % 2 == 0 ? 2.0F : 1.0F;
         CameraFlight flight{meeting - before * eye_step, meeting + (4 - before) * eye_step,
                             meeting - before * target_step, meeting + (4 - before) * target_step, 4};
-        if (is_past) flight.target_from = flight.target_to = 3e-7F * random.unit_vector();
+        const float past = i % 6 < 4 ? random.uniform(0.3e-6F, 0.97e-6F) : random.uniform(1.03e-6F, 4e-6F);
+        if (is_past) flight.target_from = flight.target_to = past * random.unit_vector();
         for (const float seconds : {before - 0.5F, before, before + 0.5F}) record_view(out, flight, seconds);
     }
 }
 
-// In random order one that is refused and one that is not.
+// In random order one that is refused and one that is not. Some stand still, and are refused all the same; of some the
+// duration is 0, of others the largest float, or the smallest.
 void record_refused(Recorder& out, Random& random)
 {
-    constexpr std::array durations{-1.0F, no_number, infinity, -infinity, -1e-30F};
-    for (int i = 0; i < 24; ++i) {
+    constexpr float largest = std::numeric_limits<float>::max();
+    constexpr float smallest = std::numeric_limits<float>::denorm_min();
+    constexpr std::array wrong{-1.0F, no_number, infinity, -infinity, -1e-30F, -smallest};
+    constexpr std::array right{0.0F, -0.0F, largest, smallest, 1e31F};
+    for (std::size_t i = 0; i < 48; ++i) {
         CameraFlight good = random_flight(random);
         const float seconds = i % 3 == 0 ? (i % 2 == 0 ? infinity : -infinity) : good.duration * random.uniform();
-        CameraFlight bad = good;
-        if (i % 4 == 1) good.duration = i % 8 == 1 ? 0.0F : -0.0F;
+        if (i % 3 == 1) good.eye_to = good.eye_from;
+        if (i % 3 == 1) good.target_to = good.target_from;
         const bool wrong_time = i % 4 == 3;
-        if (!wrong_time) bad.duration = durations[i % durations.size()];
+        if (i % 4 == 1 || i % 8 == 3) good.duration = right[i / 4 % right.size()];
+        if (i % 16 == 3) good.duration = 0;
+        CameraFlight bad = good;
+        if (!wrong_time) bad.duration = wrong[i / 2 % wrong.size()];
         const bool bad_first = random.below(2) == 0;
         for (const bool is_bad : {bad_first, !bad_first}) {
             const CameraFlight& flight = is_bad ? bad : good;

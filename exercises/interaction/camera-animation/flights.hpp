@@ -28,6 +28,9 @@ inline CameraFlight random_flight(Random& random, float reach = 8)
     return flight;
 }
 
+/// Any size that a duration can have, from the smallest float to the largest.
+inline float any_duration(Random& random) { return std::exp2(random.uniform(-148, 127.5F)); }
+
 /// The same flight between other places, if inputs are to vary; who stands still at the same place remains there.
 inline CameraFlight varied(Variation& vary, CameraFlight flight)
 {
