@@ -1,4 +1,5 @@
 #include <array>
+#include <kit/amount.hpp>
 #include <limits>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
@@ -135,15 +136,36 @@ void record_limits(Recorder& out, Random& random)
     }
 }
 
-// 2^17 ways that lead to nothing, beside five objects; and 2^59 objects. The work must grow with the nodes, and not
-// with the ways.
-void record_many_ways(Recorder& out)
+/// Where nodes lead to the next one twice, and the last one is empty: as many ways to nothing, beside five objects.
+SceneGraph ways_to_nothing(std::uint32_t levels, Random& random)
 {
-    SceneGraph graph = doubling(18, {});
+    SceneGraph graph = doubling(levels, {});
     graph.root = static_cast<std::uint32_t>(graph.nodes.size());
     const Entry step{Entry::Kind::transformation, 0};
-    graph.nodes.push_back(
-        {object(1), node(1), step, object(2), node(9), object(3), step, object(4), node(17), object(5)});
+    const std::uint32_t name = random.below(1'000'000);
+    std::vector<Entry> entries{object(name + 1), node(1), step, object(name + 2), node(levels / 2)};
+    for (const std::uint32_t last : {3U, 4U, 5U}) {
+        entries.insert(entries.end(), 1 + random.below(4), step);
+        entries.insert(entries.end(), {object(name + last), node(levels - 1)});
+    }
+    graph.nodes.push_back(entries);
+    return graph;
+}
+
+/// What is drawn, and where, in order.
+Amount amount_of(const std::vector<Instance>& instances)
+{
+    std::vector<glm::vec3> all;
+    for (std::size_t i = 0; i < std::min(instances.size(), plenty); ++i)
+        all.emplace_back(static_cast<float>(instances[i].object), instances[i].world[3].x, instances[i].world[3].w);
+    return Amount().count(instances.size()).in_order(all);
+}
+
+// 2^17 ways that lead to nothing, beside five objects; and 2^59 objects. The work must grow with the nodes, and not
+// with the ways.
+void record_many_ways(Random& random, Recorder& out)
+{
+    const SceneGraph graph = ways_to_nothing(18, random);
     record_instances(out, ask<expand>(out, graph, plenty));
     out.columns("thrown", "thrown, instances");
     out.append("thrown", thrown_by(out, graph, 4));
@@ -152,8 +174,8 @@ void record_many_ways(Recorder& out)
     out.append("thrown", thrown_by(out, doubling(10, {node(5)}), plenty));
     out.text("blocks.names", "nodes");
     for (const std::uint32_t levels : {6U, 9U, 12U, 15U, 18U}) {
-        const SceneGraph empty = doubling(levels, {});
-        record_cost(out, "blocks", levels, [&] { (void)ask<expand>(out, empty, plenty); });
+        const SceneGraph some = ways_to_nothing(levels, random);
+        record_cost(out, "blocks", levels, [&] { return amount_of(ask<expand>(out, some, plenty)); });
     }
 }
 
@@ -197,7 +219,7 @@ const Driver driver = {
      }},
     {"cycles", [](Case& c, Recorder& out) { record_cycles(out, c.random); }},
     {"limits", [](Case& c, Recorder& out) { record_limits(out, c.random); }},
-    {"many ways", [](Case&, Recorder& out) { record_many_ways(out); }},
+    {"many ways", [](Case& c, Recorder& out) { record_many_ways(c.random, out); }},
     {"conversion", [](Case& c, Recorder& out) { record_conversion(out, known_arc_graphs(c.random)); }},
     {"any conversion", [](Case& c, Recorder& out) { record_conversion(out, random_arc_graphs(c.random)); }},
     {"picture",
