@@ -57,7 +57,7 @@ inline Image draw_diagram(Recorder& out, Variation& vary)
 
     glm::dvec2 before(0);
     const std::uint32_t fewest = vary.one_of(8U, std::array{6U, 10U, 12U});
-    for (std::uint32_t columns = fewest; columns <= 1024; columns *= 2) {
+    for (std::uint32_t columns = fewest; columns <= 512; columns *= 2) {
         const IndexedMesh mesh = ball(columns, columns / 2);
         const double exact = 12.566370614359172;
         const double error = std::max(1e-6, std::abs(double{ask<surface_area>(out, mesh)} - exact) / exact);

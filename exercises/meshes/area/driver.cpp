@@ -5,6 +5,7 @@
 #include <umbral/record/driver.hpp>
 
 #include "../zoo.hpp"
+#include "degenerate.hpp"
 #include "diagram.hpp"
 #include "large_meshes.hpp"
 
@@ -77,21 +78,9 @@ void record_random(Random& random, Variation& vary, Recorder& out)
     record(out, varied(vary, trefoil(30, 7, 0.4)));
 }
 
-// Corners are multiples of 1/64, so that what is degenerate is so in any arithmetic.
 void record_degenerate(Random& random, Recorder& out)
 {
-    constexpr float broken[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
-                                -std::numeric_limits<float>::infinity()};
-    for (int i = 0; i < 12; ++i) {
-        IndexedMesh mesh =
-            mapped(hills(2, 2, random), [](const glm::vec3& position) { return round(64.0F * position) / 64.0F; });
-        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.insert(mesh.positions.end(),
-                              {mesh.positions[4], 2.0F * mesh.positions[1] - mesh.positions[0], {9, 9, 9}});
-        mesh.triangles.insert(mesh.triangles.end(), {{3, 3, 5}, {4, first, 7}, {0, 1, first + 1}, {2, 2, 2}});
-        if (i < 9) mesh.positions[random.below(9)][i / 3] = broken[i % 3];
-        record(out, mesh);
-    }
+    for (int i = 0; i < 16; ++i) record(out, degenerate_mesh(i, random));
     out.append("meshes", ask<surface_area>(out, IndexedMesh{}));
     out.append("meshes", ask<surface_area>(out, IndexedMesh{{{1, 2, 3}}, {}}));
 }
@@ -99,15 +88,21 @@ void record_degenerate(Random& random, Recorder& out)
 void record_slivers(Random& random, Recorder& out)
 {
     for (const double sine : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) record_triangles(out, sliver_triangles(sine, 100, random));
+    record_triangles(out, thin_triangles(70, random));
 }
 
 void record_scales(Random& random, Recorder& out)
 {
-    for (const float scale : {1e-17F, 1e-15F, 1e-12F, 1e-10F, 1e10F, 1e13F, 1e15F, 1e17F}) {
+    for (const float scale : {1e-21F, 1e-20F, 1e-17F, 1e-15F, 1e-12F, 1e-10F, 1e10F, 1e13F, 1e15F, 1e17F, 1e17F}) {
         IndexedMesh mesh = hills(5, 5, random);
         turn(mesh, random);
-        record(out, mapped(mesh, [&](const glm::vec3& position) { return scale * position; }));
+        const glm::vec3 away = std::pow(10.0F, random.uniform(0, 3.5F)) * random.unit_vector();
+        mesh = mapped(mesh, [&](const glm::vec3& position) { return scale * (position + away); });
+        // The smallest areas are subnormal: a sum of such floats may have lost digits.
+        record_triangles(out, mesh);
+        if (scale > 1e-18F) out.append("meshes", ask<surface_area>(out, mesh));
     }
+    record_triangles(out, triangles_next_to_the_largest_float(50, random));
 }
 
 // Cells of about 10 units, a million units from the origin, where floats lie 1/16 apart.
