@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <array>
 #include <kit/amount.hpp>
 #include <kit/canonical.hpp>
 #include <kit/drawing.hpp>
 #include <map>
+#include <numeric>
 #include <span>
 #include <umbral/pipeline/polygon.hpp>
 #include <umbral/record/ask.hpp>
@@ -14,24 +16,55 @@ namespace {
 
 using namespace pipeline;
 
-void record_tables(Recorder& out, std::uint32_t sides)
+/// The places of a table that are recorded: all, or of many those next to both ends, and a run anywhere.
+std::vector<std::uint32_t> places_of(Random* random, std::uint32_t sides)
 {
-    const auto code = static_cast<float>(sides);
-    record_rows(out, "loop", ask<polygon_loop>(out, sides), sides);
-    record_rows(out, "segments", ask<polygon_segments>(out, sides), std::size_t{2} * sides);
-    const IndexedPolygon fan = ask<polygon_fan>(out, sides);
-    record_rows(out, "positions", fan.positions, sides + 1);
-    record_indices(out, "triangles", code, fan.triangles, sides);
-    record_indices(out, "edges", code, fan.edges, std::size_t{2} * sides);
+    std::vector<std::uint32_t> places(sides);
+    std::iota(places.begin(), places.end(), 0U);
+    if (random == nullptr || sides <= 24) return places;
+    const std::uint32_t run = 4 + random->below(sides - 15);
+    std::erase_if(places, [&](std::uint32_t i) { return i >= 4 && i + 4 < sides && (i < run || i >= run + 8); });
+    return places;
 }
 
-void record_several(Recorder& out, const std::vector<std::uint32_t>& all)
+/// Those that name no corner but these.
+template <class Row>
+std::vector<Row> at_places(std::vector<Row> rows, const std::vector<std::uint32_t>& places, std::uint32_t sides)
+{
+    std::erase_if(rows, [&](const Row& row) {
+        for (int i = 0; i < Row::length(); ++i)
+            if (row[i] < sides && !std::binary_search(places.begin(), places.end(), row[i])) return true;
+        return false;
+    });
+    return rows;
+}
+
+void record_tables(Recorder& out, std::uint32_t sides, Random* random)
+{
+    const auto code = static_cast<float>(sides);
+    const std::vector<std::uint32_t> places = places_of(random, sides);
+    const auto record = [&](const char* name, const std::vector<glm::vec2>& table, std::size_t place) {
+        out.append(name, place < table.size() ? table[place] : glm::vec2(NAN));
+    };
+    const std::vector<glm::vec2> loop = ask<polygon_loop>(out, sides);
+    for (const std::uint32_t place : places) record("loop", loop, place);
+    const std::vector<glm::vec2> segments = ask<polygon_segments>(out, sides);
+    for (const std::uint32_t place : places)
+        for (const std::size_t end : {0U, 1U}) record("segments", segments, std::size_t{2} * place + end);
+    const IndexedPolygon fan = ask<polygon_fan>(out, sides);
+    for (const std::uint32_t place : places) record("positions", fan.positions, place);
+    record("positions", fan.positions, sides);
+    record_indices(out, "triangles", code, at_places(fan.triangles, places, sides), sides);
+    record_indices(out, "edges", code, at_places(fan.edges, places, sides), std::size_t{2} * sides);
+}
+
+void record_several(Recorder& out, const std::vector<std::uint32_t>& all, Random* random)
 {
     std::string triangles;
     std::string edges;
     std::map<std::uint32_t, bool> named;
     for (const std::uint32_t sides : all) {
-        record_tables(out, sides);
+        record_tables(out, sides, random);
         if (named[sides]) continue;
         named[sides] = true;
         triangles += std::to_string(sides) + " triangle of " + std::to_string(sides) + "\n";
@@ -41,17 +74,25 @@ void record_several(Recorder& out, const std::vector<std::uint32_t>& all)
     out.text("edges.names", edges);
 }
 
-/// A few sides, as one can draw them.
+/// A number of sides that is written down; varied, one of `least` to `least` + `count` - 1.
+std::uint32_t varied(Variation& vary, std::uint32_t sides, std::uint32_t least, std::uint32_t count)
+{
+    Random* const random = vary.random();
+    return random != nullptr ? least + random->below(count) : sides;
+}
+
+/// A few sides, as one can draw them; varied, up to 500.
 std::vector<std::uint32_t> few_sides(Variation& vary)
 {
-    return {vary.one_of(3U, std::array{5U, 7U}), vary.one_of(4U, std::array{8U, 9U}),
-            vary.one_of(6U, std::array{10U, 11U}), vary.one_of(12U, std::array{13U, 14U, 15U})};
+    std::vector<std::uint32_t> all = {3, 4, 6, 12};
+    for (std::uint32_t& sides : all) sides = varied(vary, sides, 5, 496);
+    return all;
 }
 
 std::vector<std::uint32_t> random_sides(Random& random)
 {
     std::vector<std::uint32_t> all;
-    for (int i = 0; i < 12; ++i) all.push_back(3 + random.below(58));
+    for (int i = 0; i < 12; ++i) all.push_back(3 + random.below(i % 4 == 0 ? 58 : 498));
     return all;
 }
 
@@ -81,9 +122,9 @@ void name_sizes(Recorder& out)
 /// Among others numbers that agree in their last 8 bits.
 std::vector<std::uint32_t> any_sides(Random& random)
 {
-    const std::uint32_t few = 3 + random.below(200);
-    std::vector<std::uint32_t> all = {3, 4, 5, few, few + 256, few + 512};
-    for (int i = 0; i < 6; ++i) all.push_back(3 + random.below(200));
+    const std::uint32_t few = 3 + random.below(2000);
+    std::vector<std::uint32_t> all = {3, 4 + random.below(20), few, few + 256, few + 512};
+    for (int i = 0; i < 7; ++i) all.push_back(3 + random.below(3000));
     return all;
 }
 
@@ -117,10 +158,11 @@ float last_at_origin(const std::vector<glm::vec2>& positions)
 
 // Where segments meet: how many different corners they have, and which of the ends the last one equals first: n and 0
 // if no joint gapes. And of fans, how many vertices they have, and which is the centre.
-void record_joints(Random& random, Recorder& out)
+void record_joints(Variation& vary, Random& random, Recorder& out)
 {
     std::vector<std::uint32_t> all = {3, 4, 5, 7, 12, 100};
-    for (int i = 0; i < 10; ++i) all.push_back(3 + random.below(400));
+    for (std::uint32_t& sides : all) sides = varied(vary, sides, 3, 1000);
+    for (int i = 0; i < 10; ++i) all.push_back(3 + random.below(1000));
     for (const std::uint32_t sides : all) {
         const std::vector<glm::vec2> ends = ask<polygon_segments>(out, sides);
         std::map<std::pair<float, float>, float> first;
@@ -131,7 +173,7 @@ void record_joints(Random& random, Recorder& out)
         out.append("joints", glm::vec2(static_cast<float>(first.size()), last));
     }
     for (int i = 0; i < 4; ++i) {
-        const std::vector<glm::vec2> vertices = ask<polygon_fan>(out, 4 + random.below(400)).positions;
+        const std::vector<glm::vec2> vertices = ask<polygon_fan>(out, 4 + random.below(1000)).positions;
         out.append("joints", glm::vec2(static_cast<float>(vertices.size()), last_at_origin(vertices)));
     }
 }
@@ -149,9 +191,10 @@ std::vector<std::uint32_t> some_corners(Random& random, std::uint32_t sides)
 
 // The same corners in all three tables. Segments and fan are asked for few sides only: the growth of their work has a
 // check of its own.
-void record_many(Random& random, Recorder& out)
+void record_many(Variation& vary, Random& random, Recorder& out)
 {
-    for (const std::uint32_t sides : {1000U, 3600U, 10'000U, 99'991U, 300'000U, 999'983U, 1'000'000U}) {
+    for (const std::uint32_t written : {1000U, 3600U, 10'000U, 99'991U, 300'000U, 999'983U, 1'000'000U}) {
+        const std::uint32_t sides = varied(vary, written, written - written / 10, written / 10);
         const std::vector<std::uint32_t> places = some_corners(random, sides);
         const auto record = [&](const std::vector<glm::vec2>& table, std::uint32_t step) {
             for (const std::uint32_t place : places) {
@@ -177,10 +220,11 @@ void record_dense(Random& random, Recorder& out)
 }
 
 // More corners than 16 bits can number. All in one case: slow work loses this one.
-void record_long(Random& random, Recorder& out)
+void record_long(Variation& vary, Random& random, Recorder& out)
 {
     name_sizes(out);
-    for (const std::uint32_t sides : {65'536U, 65'537U, 65'600U + random.below(200), 70'000U + random.below(30'000)})
+    const std::uint32_t first = varied(vary, 65'536, 65'536, 1000);
+    for (const std::uint32_t sides : {first, first + 1, 67'000U + random.below(1000), 70'000U + random.below(30'000)})
         out.append("fan", std::span<const float>(size_of(ask<polygon_fan>(out, sides))));
     record_dense(random, out);
 }
@@ -240,12 +284,12 @@ Image picture(Variation& vary, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case& c, Recorder& out) { record_several(out, few_sides(c.vary)); }},
-    {"random", [](Case& c, Recorder& out) { record_several(out, random_sides(c.random)); }},
+    {"by hand", [](Case& c, Recorder& out) { record_several(out, few_sides(c.vary), c.vary.random()); }},
+    {"random", [](Case& c, Recorder& out) { record_several(out, random_sides(c.random), &c.random); }},
     {"sizes", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
-    {"joints", [](Case& c, Recorder& out) { record_joints(c.random, out); }},
-    {"many sides", [](Case& c, Recorder& out) { record_many(c.random, out); }},
-    {"long tables", [](Case& c, Recorder& out) { record_long(c.random, out); }},
+    {"joints", [](Case& c, Recorder& out) { record_joints(c.vary, c.random, out); }},
+    {"many sides", [](Case& c, Recorder& out) { record_many(c.vary, c.random, out); }},
+    {"long tables", [](Case& c, Recorder& out) { record_long(c.vary, c.random, out); }},
     {"work", [](Case&, Recorder& out) { record_work(out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("tables", picture(c.vary, out)); }},
 };
