@@ -63,12 +63,12 @@ void record_shapes(Recorder& out, const std::vector<Shape>& shapes, const std::v
     out.text("triangles.names", names);
 }
 
-/// Shapes that are written down, of a few more columns and rows.
+/// Shapes that are written down; varied, of up to 24 more columns and rows.
 std::vector<Shape> varied(Variation& vary, std::vector<Shape> shapes)
 {
-    for (Shape& shape : shapes)
-        for (std::uint32_t* const count : {&shape.columns, &shape.rows})
-            *count = vary.one_of(*count, std::array{*count + 1, *count + 2, *count + 3});
+    if (Random* const random = vary.random())
+        for (Shape& shape : shapes)
+            for (std::uint32_t* const count : {&shape.columns, &shape.rows}) *count += 1 + random->below(24);
     return shapes;
 }
 
@@ -78,8 +78,8 @@ std::vector<Shape> random_shapes(Random& random)
     std::vector<Shape> shapes;
     for (int i = 0; i < 6; ++i) {
         const bool sphere = i % 2 == 0;
-        const std::uint32_t columns = 3 + random.below(12);
-        const std::uint32_t rows = 3 + random.below(9);
+        const std::uint32_t columns = 3 + random.below(36);
+        const std::uint32_t rows = 3 + random.below(28);
         const std::uint32_t more = sphere ? 1 : 0;
         shapes.push_back({sphere, columns, rows + more});
         shapes.push_back({sphere, rows, columns + more});
@@ -97,56 +97,67 @@ void record_size(Recorder& out, const Shape& shape)
 // Pairs of a shape that there is and one that there is not.
 void record_sizes(Random& random, Recorder& out)
 {
-    const Shape none[] = {{false, 0, 3}, {false, 4, 0}, {true, 2, 5}, {true, 5, 1},
-                          {true, 0, 0},  {false, 0, 0}, {true, 1, 9}, {true, 7, 0}};
+    const std::uint32_t many = 3 + random.below(400);
+    const Shape none[] = {{false, 0, many},    {false, many + 1, 0}, {true, 2, many + 2}, {true, many + 3, 1},
+                          {true, 0, many + 4}, {false, 0, 0},        {true, 1, many + 5}, {true, many + 6, 0}};
     for (const Shape& empty : none) {
-        const std::uint32_t columns = 3 + random.below(20);
-        const Shape some{random.below(2) == 0, columns, 2 + random.below(20)};
+        const std::uint32_t columns = 3 + random.below(60);
+        const Shape some{random.below(2) == 0, columns, 2 + random.below(60)};
         const bool swapped = random.below(2) == 0;
         record_size(out, swapped ? some : empty);
         record_size(out, swapped ? empty : some);
     }
 }
 
-/// Bytes on the surface of a ball whose rows 16 bits do not count.
-void record_large_ball(Random& random, Recorder& out)
+/// Bytes on the surface of a ball.
+void record_surface(Random& random, Recorder& out, const char* name, std::uint32_t k,
+                    const std::vector<std::uint8_t>& bytes)
 {
-    const std::uint32_t k = 260 + random.below(60);
-    const std::vector<std::uint8_t> bytes = ask<make_voxel_sphere>(out, k);
     for (int i = 0; i < 300; ++i) {
         const glm::dvec3 place = static_cast<double>(k) * (0.5 + 0.5 * glm::dvec3(random.unit_vector()));
         const glm::uvec3 cell = min(glm::uvec3(place), glm::uvec3(k - 1));
         const std::size_t byte = (cell.x + std::size_t{k} * (cell.y + std::size_t{k} * cell.z)) / 8;
-        out.append("bytes of a large ball", byte < bytes.size() ? std::optional<float>(bytes[byte]) : std::nullopt);
+        out.append(name, byte < bytes.size() ? std::optional<float>(bytes[byte]) : std::nullopt);
     }
+}
+
+/// Its rows are more than 16 bits count.
+void record_large_ball(Random& random, Recorder& out)
+{
+    const std::uint32_t k = 260 + random.below(60);
+    record_surface(random, out, "bytes of a large ball", k, ask<make_voxel_sphere>(out, k));
 }
 
 void record_voxels(Variation& vary, Recorder& out)
 {
     out.columns("sizes", "bytes, last byte");
     std::vector sides{1U, 2U, 3U, 4U, 5U, 8U, 11U, 16U, 20U};
-    if (vary) {
-        sides = in_random_order(vary, std::vector{6U, 7U, 9U, 10U, 12U, 13U, 14U, 15U, 17U, 18U, 19U});
-        sides.resize(8);
-    }
+    Random* const random = vary.random();
+    if (random != nullptr)
+        for (std::uint32_t& side : sides) side = 6 + random->below(195);
     for (const std::uint32_t k : sides) {
         const std::vector<std::uint8_t> bytes = ask<make_voxel_sphere>(out, k);
         out.append("sizes", glm::vec2(bytes.size(), bytes.empty() ? NAN : bytes.back()));
-        for (std::size_t i = 0; i < (k * k * k + 7) / 8; ++i)
-            out.append("bytes", i < bytes.size() ? std::optional<float>(bytes[i]) : std::nullopt);
+        if (random != nullptr)
+            record_surface(*random, out, "bytes", k, bytes);
+        else
+            for (std::size_t i = 0; i < (k * k * k + 7) / 8; ++i)
+                out.append("bytes", i < bytes.size() ? std::optional<float>(bytes[i]) : std::nullopt);
     }
 }
 
-void record_border(Random& random, Recorder& out)
+void record_border(Variation& vary, Random& random, Recorder& out)
 {
-    for (const std::uint32_t k :
-         {200U, 5000U, 65'536U, 1'000'001U, 100'000'000U, 400'000'003U, 900'000'001U, 1'073'741'824U})
+    for (const std::uint32_t written :
+         {200U, 5000U, 65'536U, 1'000'001U, 100'000'000U, 400'000'003U, 900'000'001U, 1'073'741'824U}) {
+        const std::uint32_t k = vary ? written - vary.random()->below(written / 10) : written;
         for (int i = 0; i < 40; ++i) {
             const auto [inside, outside] = border_voxels(random, k, i % 2 == 0);
             const bool swapped = random.below(2) == 0;
             out.append("inside", ask<voxel_is_inside>(out, k, swapped ? outside : inside));
             out.append("inside", ask<voxel_is_inside>(out, k, swapped ? inside : outside));
         }
+    }
 }
 
 void record_fine(Random& random, Recorder& out)
@@ -237,7 +248,11 @@ const Driver driver = {
      }},
     {"random",
      [](Case& c, Recorder& out) {
-         record_shapes(out, random_shapes(c.random), {{false, 1000, 70}, {true, 12, 6000}});
+         Random& random = c.random;
+         const std::uint32_t slices = 12 + random.below(4);
+         const std::vector<Shape> large = {{false, 950 + random.below(200), 70 + random.below(8)},
+                                           {true, slices, 6000 + random.below(1000)}};
+         record_shapes(out, random_shapes(random), large);
      }},
     {"sizes", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
     {"voxels",
@@ -245,7 +260,7 @@ const Driver driver = {
          record_voxels(c.vary, out);
          record_large_ball(c.random, out);
      }},
-    {"border", [](Case& c, Recorder& out) { record_border(c.random, out); }},
+    {"border", [](Case& c, Recorder& out) { record_border(c.vary, c.random, out); }},
     {"fine", [](Case& c, Recorder& out) { record_fine(c.random, out); }},
     {"work", [](Case&, Recorder& out) { record_work(out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("shapes", picture(c.vary, out)); }},
