@@ -200,12 +200,19 @@ void add_matrix_columns(const AnswerTable& table, const Pairs& wrong, const std:
     for (const std::size_t i : which) columns.insert(i / side);
     const bool affine = side == 4 && std::ranges::none_of(which, [](std::size_t i) { return i % 4 == 3; });
     std::vector<std::string> parts;
+    std::set<std::string> relations;
     for (const std::size_t column : columns) {
         const auto relation = relation_of(wrong_vectors(table, wrong, column * side, affine ? 3 : side), table.facts);
         if (!relation) return;
         parts.push_back(fmt::format("column {} {}", column, *relation));
+        relations.insert(*relation);
     }
-    found.push_back(fmt::format("is right but for some columns: {}", fmt::join(parts, ", ")));
+    if (columns.size() < side)
+        found.push_back(fmt::format("is right but for some columns: {}", fmt::join(parts, ", ")));
+    else if (relations.size() == 1)
+        found.push_back("has columns each of which " + *relations.begin());
+    else
+        found.push_back(fmt::format("is wrong in all columns: {}", fmt::join(parts, ", ")));
 }
 
 /// State that a call leaves behind for the next.
@@ -248,7 +255,7 @@ void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<st
     const std::string place = table.components == 1 ? "" : place_of(table, which);
     if (change && table.components == 1) found.push_back("is " + *change);
     if (change && !place.empty()) found.push_back(fmt::format("{}, which is {}", place, *change));
-    if (are_nearly_right(wrong))
+    if (are_nearly_right(table, wrong))
         found.push_back(place.empty() ? nearly_right : fmt::format("{}, and {}", place, nearly_right));
     if (!place.empty()) found.push_back(place);
 }

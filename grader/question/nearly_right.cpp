@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "question/alike.hpp"
 
@@ -12,21 +13,36 @@ constexpr double little = 0.01;
 
 bool is_whole(double x) { return x == std::round(x); }
 
-bool is_nearly_right(const AnswerPair& one)
+/// How many numbers of a row are of one size: those of a vector or of a matrix's column. Other rows hold different
+/// things, beside which nothing may be called little.
+std::size_t numbers_of_one_size(const AnswerTable& table)
 {
-    const double most = little * size_of(one.expected);
-    return std::ranges::equal(one.yours, one.expected,
-                              [most](double yours, double right) { return std::abs(yours - right) <= most; });
+    if (table.keys > 0) return 1;
+    if (table.components <= 4) return table.components;
+    return table.components == 16 ? 4 : table.components == 9 ? 3 : 1;
+}
+
+bool is_nearly_right(const AnswerPair& one, std::size_t together)
+{
+    if (one.yours.size() != one.expected.size()) return false;
+    const std::span<const double> expected(one.expected);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        const std::size_t first = i - i % together;
+        const double most = little * size_of(expected.subspan(first, std::min(together, expected.size() - first)));
+        if (!(std::abs(one.yours[i] - expected[i]) <= most)) return false;
+    }
+    return true;
 }
 
 }
 
-bool are_nearly_right(const std::vector<const AnswerPair*>& wrong)
+bool are_nearly_right(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
 {
     const bool whole = std::ranges::all_of(wrong, [](const AnswerPair* one) {
         return std::ranges::all_of(one->yours, is_whole) && std::ranges::all_of(one->expected, is_whole);
     });
-    return !whole && std::ranges::all_of(wrong, [](const AnswerPair* one) { return is_nearly_right(*one); });
+    const std::size_t together = numbers_of_one_size(table);
+    return !whole && std::ranges::all_of(wrong, [&](const AnswerPair* one) { return is_nearly_right(*one, together); });
 }
 
 }
