@@ -21,6 +21,10 @@ void record_sequences(Variation& vary, Recorder& out, std::initializer_list<Prim
             for (std::uint32_t& vertex : sequence) vertex += first;
             record_assembly(out, type, sequence);
         }
+    if (std::ranges::find(types, polygon) != types.end()) {
+        record_assembly(out, polygon, {0, 1, 2, 3, 0});
+        record_assembly(out, polygon, {2, 5, 5, 6, 1, 2});
+    }
     name_assembly(out);
 }
 
@@ -30,11 +34,12 @@ void record_random(Random& random, Recorder& out)
     for (int i = 0; i < 80; ++i) {
         const auto type = static_cast<PrimitiveType>(i % 10);
         const std::uint32_t count = random.below(type == polygon ? 10 : 15);
-        // Twenty vertices, the first ones or some of a large mesh: more than 16 bits can number.
+        // Twenty vertices, the first ones or some of a large mesh: more than 16 bits or a float can number, or the last
+        // ones that there are.
         std::vector<std::uint32_t> sequence = random_sequence(random, count, 20);
-        if (i / 10 % 2 == 1)
-            for (std::uint32_t& vertex : sequence) vertex += 1'000'000;
-        record_assembly(out, type, sequence);
+        // Whose last corner is its first one has it twice.
+        if (i % 10 == 9 && i / 10 % 2 == 0 && count > 3) sequence.back() = sequence.front();
+        record_assembly(out, type, sequence, i / 10 % 4);
     }
     name_assembly(out);
 }
@@ -148,6 +153,22 @@ void record_modes(Random& random, Recorder& out)
     out.text("list.names", draw_names(draw));
 }
 
+// More corners than a byte counts, and more vertices than 16 bits.
+void record_long(Random& random, Recorder& out)
+{
+    int draw = 0;
+    for (const PolygonMode mode : {PolygonMode::fill, PolygonMode::line}) {
+        const std::uint32_t count = 258 + random.below(80);
+        record_draw(out, draw++,
+                    ask<draw_list>(out, polygon, counted(count), random_places(random, count), Culling::none, mode),
+                    count);
+    }
+    for (const PrimitiveType type : {points, line_loop, triangle_strip, quads})
+        record_long_assembly(out, type, random_sequence(random, 65'540 + random.below(300), 70'000));
+    out.text("list.names", draw_names(draw));
+    name_assembly(out);
+}
+
 // Corners of needles, which are triangles; of others they make large faces.
 Vertices of_needles(Random& random)
 {
@@ -236,6 +257,7 @@ const Driver driver = {
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"sides", [](Case& c, Recorder& out) { record_sides(c.random, out); }},
     {"needles", [](Case& c, Recorder& out) { record_needles(c.random, out); }},
+    {"long", [](Case& c, Recorder& out) { record_long(c.random, out); }},
     {"modes", [](Case& c, Recorder& out) { record_modes(c.random, out); }},
     {"culling", [](Case& c, Recorder& out) { record_culling(c.random, out); }},
     {"joined strips", [](Case& c, Recorder& out) { record_joined(c.random, out); }},
