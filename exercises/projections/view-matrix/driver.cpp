@@ -1,4 +1,6 @@
+#include <cmath>
 #include <kit/scene.hpp>
+#include <limits>
 #include <umbral/projections/view.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
@@ -112,12 +114,101 @@ std::vector<Placement> almost_parallel(Random& random)
             cameras.back().up *= std::ldexp(1.0F, static_cast<int>(random.below(61)) - 30);
             ++count;
         }
+        // Where eye and target are equal, the view is the world's -z.
+        for (int count = 0; count < 6; ++count) {
+            Placement camera = with_up_near_view({{0, 0, 1}, {0, 0, 0}, {}}, sine, count % 2 == 1, random);
+            camera.eye = camera.target = 10.0F * random.in_cube();
+            cameras.push_back(camera);
+        }
     }
     return cameras;
 }
 
 // A vector of multiples of 1/64: differences of these, and their multiples by powers of two, are exact.
 glm::vec3 on_grid(const glm::vec3& v) { return round(64.0F * v) / 64.0F; }
+
+// The vector, which is along an axis, or in three of four cases turned by less than 1e-6.
+glm::vec3 not_quite(glm::vec3 v, Random& random)
+{
+    const float size = length(v);
+    const std::uint32_t which = random.below(4);
+    for (int i = 0, other = 1; i < 3; ++i) {
+        if (v[i] != 0) continue;
+        const float off = size * std::pow(10.0F, random.uniform(-9, -6.3F));
+        if (which == 0 || which == static_cast<std::uint32_t>(other++)) continue;
+        v[i] = random.below(2) == 0 ? off : -off;
+    }
+    return v;
+}
+
+// A view of which two components are equal, or differ by some units of their last digit, and the third one is larger.
+Placement with_nearly_equal_components(Random& random)
+{
+    const float size = static_cast<float>(20 + random.below(300)) / 64;
+    const float second = size * (1 + std::ldexp(static_cast<float>(random.below(5)) - 2, -21));
+    const float third = size + static_cast<float>(random.below(200)) / 64;
+    const auto first_axis = static_cast<int>(random.below(3));
+    const bool turns = random.below(2) == 0;
+    glm::vec3 eye(third);
+    eye[first_axis] = size;
+    eye[(first_axis + (turns ? 1 : 2)) % 3] = second;
+    for (int i = 0; i < 3; ++i) eye[i] *= random.below(2) == 0 ? 1.0F : -1.0F;
+    return {eye, {0, 0, 0}, {0, 0, 0}};
+}
+
+// Some floats further or less far.
+float next_to(float value, int steps)
+{
+    for (; steps > 0; --steps) value = std::nextafter(value, 2 * value);
+    for (; steps < 0; ++steps) value = std::nextafter(value, 0.0F);
+    return value;
+}
+
+// One to three steps of these lengths from zero, or none, in each coordinate.
+glm::ivec3 few_steps(Random& random)
+{
+    glm::ivec3 steps(0);
+    for (int i = 0; i < 3; ++i) steps[i] = static_cast<int>(random.below(7)) - 3;
+    return steps;
+}
+
+// Only equal is equal, and only null is null: lengths of which the squares are no floats, in worlds of any size.
+std::vector<Placement> any_size(Random& random)
+{
+    std::vector<Placement> cameras;
+    while (cameras.size() < 120) {
+        Placement camera = random_placement(random);
+        const std::size_t kind = cameras.size() % 6;
+        if (kind < 2) {
+            const auto doublings = static_cast<int>(random.below(80));
+            const float size = std::ldexp(1.0F, kind == 0 ? -60 - doublings : 36 + doublings);
+            camera.eye = size * on_grid(camera.eye);
+            camera.target = size * on_grid(camera.target);
+        }
+        if (kind == 2) camera.up *= std::pow(10.0F, random.uniform(-42, 37.5F));
+        if (kind == 3) {
+            camera.eye *= std::pow(10.0F, random.uniform(-3, 5));
+            const glm::ivec3 steps = few_steps(random);
+            for (int i = 0; i < 3; ++i) camera.target[i] = next_to(camera.eye[i], steps[i]);
+        }
+        if (kind == 4) {
+            camera.eye = glm::vec3(0);
+            camera.target = std::numeric_limits<float>::denorm_min() * glm::vec3(few_steps(random));
+            if (random.below(2) == 0) std::swap(camera.eye, camera.target);
+        }
+        if (kind == 5) {
+            const float size = random.uniform(1, 2);
+            const auto axis = static_cast<int>(random.below(3));
+            camera = {glm::vec3(4), glm::vec3(0), glm::vec3(0)};
+            camera.eye[axis] = size;
+            camera.eye[(axis + 1) % 3] = next_to(size, static_cast<int>(random.below(3)) - 1);
+        } else if (camera.eye == camera.target || sine_to_up(camera) < 0.17) {
+            continue;
+        }
+        cameras.push_back(camera);
+    }
+    return cameras;
+}
 
 // Where the textbook divides by zero, and what is close to it. The rules are those of the interface's comment.
 std::vector<Placement> degenerate(Random& random)
@@ -137,12 +228,15 @@ std::vector<Placement> degenerate(Random& random)
             camera.target = camera.eye;
             camera.target[axis] += (random.below(2) == 0 ? 0.125F : -0.125F) * static_cast<float>(1 + random.below(80));
         }
+        const bool up_is_null = cameras.size() % 4 == 1;
+        if (up_is_null && !along_axis) camera = with_nearly_equal_components(random);
         const glm::vec3 view = camera.eye - camera.target;
-        if (!along_axis && !has_clear_smallest(view)) continue;
+        if (!up_is_null && !along_axis && !has_clear_smallest(view)) continue;
         switch (cameras.size() % 4) {
             case 0:
                 camera.up =
                     std::ldexp(random.below(2) == 0 ? 1.0F : -1.0F, static_cast<int>(random.below(9)) - 4) * view;
+                if (along_axis) camera.up = not_quite(camera.up, random);
                 break;
             case 1: camera.up = glm::vec3(0); break;
             case 2: {
@@ -174,6 +268,7 @@ const Driver driver = {
     {"long and short up", [](Case& c, Recorder& out) { record(out, long_and_short_up(c.random)); }},
     {"far eye", [](Case& c, Recorder& out) { record(out, far_eyes(c.random)); }},
     {"almost parallel up", [](Case& c, Recorder& out) { record(out, almost_parallel(c.random)); }},
+    {"any size", [](Case& c, Recorder& out) { record(out, any_size(c.random)); }},
     {"degenerate", [](Case& c, Recorder& out) { record(out, degenerate(c.random)); }},
     {"picture",
      [](Case& c, Recorder& out) {
