@@ -97,7 +97,8 @@ Image painted(Case& what, Recorder& out)
 }
 
 const Driver driver = {
-    {"waiting", [](Case& c, Recorder& out) { record_written(c, out, waiting_loop, needs(), true); }},
+    {"waiting",
+     [](Case& c, Recorder& out) { record_written(c, out, waiting_loop, together(needs(), pauses()), true); }},
     {"waiting refined", [](Case& c, Recorder& out) { record_written(c, out, waiting_loop, refinements()); }},
     {"waiting ended", [](Case& c, Recorder& out) { record_written(c, out, waiting_loop, endings()); }},
     {"waiting minimised", [](Case& c, Recorder& out) { record_written(c, out, waiting_loop, minimised(), true); }},

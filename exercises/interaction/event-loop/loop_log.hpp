@@ -23,16 +23,18 @@ struct Habits {
     int hiding_draw = 0;       ///< this draw minimises the window, at once
     int hiding_update = 0;     ///< this update minimises the window, at once
     bool by_window = false;    ///< what ends all asks the window to close instead
+    bool escape_ends = true;   ///< else Escape means nothing
 };
 
-/// First its code, then how many events the program had heard by then; of the flags that are left, which ones are set.
+/// First its code, then how many events the program had heard by then; of the flags that are left, which ones are set,
+/// that of the window among them.
 using LoopRow = std::array<float, 2>;
 
 /// What rows are called behind which their session stands: a number from 1 on.
 inline constexpr std::string_view loop_row_names =
     "1 draw: events heard, session\n2 frame shown: events heard, session\n3 update: events heard, session\n"
     "4 returned: events heard, session\n5 stopped: events heard, session\n"
-    "6 flags left: finish + 2 redraw + 4 animate, session\n";
+    "6 flags left: finish + 2 redraw + 4 animate + 8 close, session\n";
 
 class LoggedProgram final : public ScriptedProgram {
 public:
@@ -62,7 +64,7 @@ public:
     void returned()
     {
         log(4);
-        const int left = (flags.finish ? 1 : 0) + (flags.redraw ? 2 : 0) + (flags.animate ? 4 : 0);
+        const int left = (flags.finish ? 1 : 0) + (flags.redraw ? 2 : 0) + (flags.animate ? 4 : 0) + (closing ? 8 : 0);
         rows.push_back({6, static_cast<float>(left)});
     }
     void stopped() { log(5); }
@@ -98,6 +100,7 @@ struct LoopSession {
     LoopFlags flags{};
     Habits habits{};
     bool closes = false;  ///< the window has been asked to close before the loop begins
+    bool hides = false;   ///< the window has been hidden before, which is not minimised
     double content_scale = 1;
 };
 
@@ -110,12 +113,13 @@ struct LoopResult {
 inline LoopResult play(const NamedLoop& loop, const LoopSession& session)
 {
     LoggedProgram program(session.flags, session.habits);
+    program.escape_ends = session.habits.escape_ends;
     const input::HeadlessSettings settings{.content_scale = glm::dvec2(session.content_scale),
                                            .patience_seconds = 0.1,
                                            .polls_after_closing = 20,
                                            .on_frame = [&] { program.shown(); }};
     try {
-        const input::Usage usage = run_by(loop, program, session.script, settings, session.closes);
+        const input::Usage usage = run_by(loop, program, session.script, settings, session.closes, session.hides);
         program.returned();
         return {program.rows, usage};
     } catch (const StudentError& error) {
@@ -137,6 +141,8 @@ inline std::string told(const NamedLoop& loop, const LoopSession& session)
     say_if(session.flags.animate, " animate");
     say_if(session.flags.finish, " finish");
     say_if(session.closes, "\nglfwSetWindowShouldClose(window, GLFW_TRUE);");
+    say_if(session.hides, "\nglfwHideWindow(window);");
+    say_if(!habits.escape_ends, "\n// Escape means nothing, X sets finish");
     say_if(habits.unfinished_draws > 0, "\n// the first " + number(habits.unfinished_draws) + " draws set redraw");
     const std::string ends = habits.by_window ? " asks the window to close" : " sets finish";
     say_if(habits.last_draw > 0, "\n// draw " + number(habits.last_draw) + ends);

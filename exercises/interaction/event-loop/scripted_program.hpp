@@ -8,14 +8,17 @@
 namespace umbral::interaction {
 
 /// Its callbacks change the flags: R and each motion of the pointer set `redraw`, and so do new sizes and damaged
-/// contents of the window; A turns `animate` over, Escape sets `finish`, and Q asks the window to close.
+/// contents of the window; A turns `animate` over, X sets `finish`, and so does Escape if it is to, and Q asks the
+/// window to close.
 class ScriptedProgram : public LoopProgram {
 public:
     explicit ScriptedProgram(const LoopFlags& first) : flags(first) {}
 
     LoopFlags flags;
-    int heard = 0;  ///< events so far
-    int needs = 0;  ///< those that set `redraw`
+    bool escape_ends = true;
+    bool closing = false;  ///< when the loop had returned, the window was asked to close
+    int heard = 0;         ///< events so far
+    int needs = 0;         ///< those that set `redraw`
     glm::dvec2 pointer{0};
 
     /// Registers the callbacks; the program must live as long as the window.
@@ -63,7 +66,7 @@ private:
         hear();
         if (key == GLFW_KEY_R) need();
         if (key == GLFW_KEY_A) flags.animate = !flags.animate;
-        if (key == GLFW_KEY_ESCAPE) flags.finish = true;
+        if (key == GLFW_KEY_X || (key == GLFW_KEY_ESCAPE && escape_ends)) flags.finish = true;
         if (key == GLFW_KEY_Q) glfwSetWindowShouldClose(window, GLFW_TRUE);
     }
 };
@@ -78,9 +81,10 @@ inline constexpr NamedLoop animated_loop{"run_animated_loop", run_animated_loop}
 inline constexpr NamedLoop switching_loop{"run_switching_loop", run_switching_loop};
 
 /// Runs a program by a loop until the loop returns, in a window in which a frame takes 1/64 s and a poll 1/1024 s.
-/// `closes`: the window has been asked to close before. Tells how often the loop polled and waited.
+/// `closes`: the window has been asked to close before; `hides`: glfwHideWindow has been called. Tells how often the
+/// loop polled and waited.
 inline input::Usage run_by(const NamedLoop& loop, ScriptedProgram& program, const input::EventScript& script,
-                           const input::HeadlessSettings& settings = {}, bool closes = false)
+                           const input::HeadlessSettings& settings = {}, bool closes = false, bool hides = false)
 {
     const input::Headless session(script, settings);
     glfwInit();
@@ -89,7 +93,9 @@ inline input::Usage run_by(const NamedLoop& loop, ScriptedProgram& program, cons
     glfwSwapInterval(1);
     program.listen(window);
     if (closes) glfwSetWindowShouldClose(window, GLFW_TRUE);
+    if (hides) glfwHideWindow(window);
     loop.run(window, program, program.flags);
+    program.closing = glfwWindowShouldClose(window) == GLFW_TRUE;
     return session.usage();
 }
 

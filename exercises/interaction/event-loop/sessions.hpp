@@ -18,15 +18,29 @@ inline constexpr LoopFlags at_work{.animate = true};
 /// Events that need a frame and events that do not; several at one moment need one frame together.
 inline std::vector<LoopSession> needs()
 {
-    return {
+    std::vector<LoopSession> all = {
+        // Of what a loop did before nothing is known: the first one has nothing to draw.
+        session_of("0.1 key B press\n0.2 resize 300 200\n0.3 key ESCAPE press\n", nothing_to_draw),
         session_of("0.1 key B press\n0.2 key R press\n0.3 key B press\n0.4 key R press\n0.5 key ESCAPE press\n"),
         session_of("0.1 move 10 10\n0.1 move 11 12\n0.1 key R press\n0.2 key B press\n0.3 refresh\n"
                    "0.4 key ESCAPE press\n"),
-        session_of("0.1 key B press\n0.2 resize 300 200\n0.3 key ESCAPE press\n", nothing_to_draw),
         // Long pauses, and a window that has lost the focus, which is seen all the same.
         session_of("2 key B press\n7.25 key R press\n8 focus off\n9 refresh\n9.5 focus on\n11 key ESCAPE press\n"),
         // `animate` means nothing to the first two loops.
         session_of("0.05 key A press\n0.1 key R press\n0.13 key A press\n0.2 key ESCAPE press\n"),
+        // A hidden window is not minimised.
+        session_of("0.1 key R press\n0.2 key B press\n0.3 refresh\n0.4 key ESCAPE press\n"),
+    };
+    all.back().hides = true;
+    return all;
+}
+
+/// Nobody comes near for more than a minute: for loops that sleep.
+inline std::vector<LoopSession> pauses()
+{
+    return {
+        session_of("70 key B press\n140 key R press\n210 refresh\n275 key ESCAPE press\n"),
+        session_of("65 key R press\n140 key B press\n140 key R press\n205 close\n", nothing_to_draw),
     };
 }
 
@@ -56,6 +70,8 @@ inline std::vector<LoopSession> endings()
         session_of("0.1 key R press\n0.2 key R press\n0.4 key ESCAPE press\n", {}, {.last_draw = 2, .by_window = true}),
         session_of("0.1 key R press\n", {}, {.unfinished_draws = 5, .last_draw = 3, .by_window = true}),
         session_of("0.1 key R press\n0.3 key ESCAPE press\n", {}, {.last_update = 3, .by_window = true}),
+        session_of("0.1 key R press\n0.15 key ESCAPE press\n0.2 key R press\n0.3 key X press\n", {},
+                   {.escape_ends = false}),
     };
     all[6].closes = true;
     return all;
@@ -73,7 +89,7 @@ inline std::vector<LoopSession> minimised()
         session_of("0.1 iconify on\n0.2 key B press\n0.3 iconify off\n0.4 key B press\n0.5 key ESCAPE press\n"),
         session_of("0.02 iconify on\n0.1 key B press\n0.2 key B press\n0.3 iconify off\n0.4 key ESCAPE press\n", {},
                    {.unfinished_draws = 6}),
-        session_of("0.1 iconify on\n0.2 key R press\n0.3 key ESCAPE press\n"),
+        session_of("0.1 iconify on\n70 key R press\n71 key B press\n140 key ESCAPE press\n"),
         // One pixel is to be seen.
         session_of("0.1 resize 1 240\n0.2 key R press\n0.3 resize 240 1\n0.4 key R press\n"
                    "0.45 resize 1 1\n0.5 key ESCAPE press\n"),
@@ -125,7 +141,7 @@ inline std::vector<LoopSession> switches()
     };
 }
 
-/// Some of everything. Every session ends, by Escape or by the window.
+/// Some of everything. Every session ends, by a key or by the window.
 inline LoopSession random_loop_session(Random& random)
 {
     LoopSession session;
@@ -138,7 +154,10 @@ inline LoopSession random_loop_session(Random& random)
                       .last_update = static_cast<int>(random.below(8) == 0 ? 5 + random.below(9) : 0),
                       .hiding_draw = static_cast<int>(random.below(6) == 0 ? 1 + random.below(5) : 0),
                       .hiding_update = static_cast<int>(random.below(6) == 0 ? 1 + random.below(5) : 0),
-                      .by_window = random.below(2) == 0};
+                      .by_window = random.below(2) == 0,
+                      .escape_ends = random.below(2) == 0};
+    session.hides = random.below(4) == 0;
+    const int idle_key = session.habits.escape_ends ? GLFW_KEY_B : GLFW_KEY_ESCAPE;
     int milliseconds = 0;
     bool iconified = false;
     bool flat = false;
@@ -152,7 +171,7 @@ inline LoopSession random_loop_session(Random& random)
             case 0:
             case 1: happens(input::Key{GLFW_KEY_R}); break;
             case 2: happens(input::Key{GLFW_KEY_A}); break;
-            case 3: happens(input::Key{GLFW_KEY_B}); break;
+            case 3: happens(input::Key{idle_key}); break;
             case 4: happens(input::Refresh{}); break;
             case 5: happens(input::Iconify{iconified = !iconified}); break;
             case 6: happens(input::Resize{(flat = !flat) ? glm::ivec2(0) : glm::ivec2(200, 100 + i)}); break;
@@ -163,7 +182,7 @@ inline LoopSession random_loop_session(Random& random)
     if (random.below(2) == 0)
         happens(input::Close{});
     else
-        happens(input::Key{GLFW_KEY_ESCAPE});
+        happens(input::Key{session.habits.escape_ends ? GLFW_KEY_ESCAPE : GLFW_KEY_X});
     return session;
 }
 
