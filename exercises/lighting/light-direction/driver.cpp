@@ -36,21 +36,27 @@ void record_keys(Recorder& out, const LightAngles& initial, float step, const st
     for (const char key : keys) record_key(out, *control, key);
 }
 
-// Half a turn of longitude more, or a quarter more or less.
+// Up to a quarter turn of longitude more or less, and not beyond 450 degrees.
 LightAngles turned(Variation& vary, LightAngles angles)
 {
-    angles.longitude_degrees += vary.one_of(0.0F, std::array{-90.0F, 90.0F, 180.0F});
+    angles.longitude_degrees = vary.near(angles.longitude_degrees, 90.0F);
+    if (angles.longitude_degrees > 450) angles.longitude_degrees -= 180;
     return angles;
 }
 
-// So many quarter turns of longitude more; no zero that has a sign comes of it.
-glm::vec3 turned(glm::vec3 direction, int quarters)
+// Another longitude, and another size; no zero that has a sign comes of it.
+glm::vec3 turned(Variation& vary, const glm::vec3& direction)
 {
-    for (; quarters > 0; --quarters) direction = {direction.z, direction.y, 0 - direction.x};
-    return direction;
+    Random* const random = vary.random();
+    if (random == nullptr) return direction;
+    const double angle = random->uniform(0, 6.28F);
+    const double size = random->uniform(0.5F, 3);
+    const glm::dvec3 d(direction);
+    return {0 + size * (std::cos(angle) * d.x + std::sin(angle) * d.z), size * d.y,
+            0 + size * (std::cos(angle) * d.z - std::sin(angle) * d.x)};
 }
 
-// Varied, longitudes are others by quarter turns, and directions come in another order.
+// Varied, longitudes are others, and directions come in another order.
 void by_hand(Variation& vary, Recorder& out)
 {
     for (const LightAngles& angles : {LightAngles{0, 0}, {90, 0}, {180, 0}, {270, 0}, {0, 90}, {0, -90}, {77, 90}})
@@ -63,7 +69,7 @@ void by_hand(Variation& vary, Recorder& out)
     std::vector<glm::vec3> directions = {{0, 0, 1},  {1, 0, 0},  {0, 0, -1}, {-1, 0, 0}, {0, 1, 0},   {0, -1, 0},
                                          {1, 0, 1},  {-1, 0, 1}, {0, 2, 2},  {0, -3, 3}, {-2, 0, -2}, {0, 0, 0},
                                          {0, 0, 25}, {0, 7, -7}, {-4, 0, 0}, {0, -5, 0}};
-    for (glm::vec3& direction : directions) direction = turned(direction, vary.one_of(0, std::array{1, 2, 3}));
+    for (glm::vec3& direction : directions) direction = turned(vary, direction);
     const glm::vec3 hard[] = {{-0.0F, 3, -0.0F},
                               {-0.0F, 0, 2},
                               {0, -0.0F, -2},
