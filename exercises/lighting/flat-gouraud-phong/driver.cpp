@@ -27,6 +27,15 @@ glm::vec3 its_highlight(const SurfacePoint& at)
     return {50 * cosine * cosine * cosine * cosine, cosine, at.position.x * cosine};
 }
 
+// What such a model sends as light.
+std::string words_of(Model model)
+{
+    if (model == its_place) return "light: the place";
+    if (model == its_normal) return "light: the normal";
+    if (model == its_highlight) return "light: a sharp highlight";
+    return "light: the normal + 2";
+}
+
 // A scene and what is in the target before.
 struct Scene {
     StagedMesh mesh;
@@ -45,8 +54,12 @@ int record(Recorder& out, std::string_view name, const Scene& scene, Model model
         return model(at);
     };
     ask_in_words(out, [&] {
-        return "a draw by the method \"" + std::string(name) + "\" of " + std::to_string(scene.mesh.triangles.size()) +
-               " triangles with " + std::to_string(scene.mesh.vertices.size()) + " vertices";
+        const std::string words = "a draw by the method \"" + std::string(name) + "\" of " +
+                                  std::to_string(scene.mesh.triangles.size()) + " triangles with " +
+                                  std::to_string(scene.mesh.vertices.size()) + " vertices, " + words_of(model);
+        if (scene.mesh.triangles.size() > 4) return words;
+        return words + "\n" + literal::of_value(scene.mesh.vertices, true, {}) + "\n" +
+               literal::of_value(scene.mesh.triangles, true, {});
     });
     draw(scene.mesh.vertices, scene.mesh.triangles, illumination, layer);
     // So that reports say "pixel (4, 4) of draw 10".
@@ -138,20 +151,24 @@ void at_random(Random& random, Recorder& out)
     record_all(out, {random_mesh(random, size, 9, 0)}, 6);
 }
 
-// Squares before and behind each other, in either order, and targets that are not empty: nothing that is hidden may
-// show, and light is asked for what passes the depth test at its turn only.
+// Squares before and behind each other, far or by a little, in either order, and targets that are not empty: nothing
+// that is hidden may show, and light is asked for what passes the depth test at its turn only.
 void record_occlusion(Random& random, Variation& vary, Recorder& out)
 {
-    for (std::size_t i = 0; i < 12; ++i) {
+    for (std::size_t i = 0; i < 19; ++i) {
         // Every fourth one lies in the near plane.
         const float near_depth = i % 4 == 3 ? 0 : random.uniform(0.2F, 0.4F);
         const StagedMesh near = some_square(vary, 6, 14, near_depth, 0.5F);
-        const StagedMesh far = some_square(vary, 2, 12, random.uniform(0.5F, 0.7F), 1);
-        Scene scene{i % 2 == 0 ? joined(near, far) : joined(far, near)};
-        if (i % 3 == 1)  // the left part of the target hides all, its middle the far one
+        // The last ones are hardly deeper: by 5 ulps and more.
+        const float beyond = std::pow(10.0F, i % 2 == 0 ? random.uniform(-6.5F, -6.1F) : random.uniform(-6, -2.5F));
+        const float far_depth = i < 12 ? random.uniform(0.5F, 0.7F) : near_depth + beyond;
+        const StagedMesh far = some_square(vary, 2, 12, far_depth, 1);
+        Scene scene{i < 12 && i % 2 == 0 ? joined(near, far) : joined(far, near)};
+        if (i == 18) scene.mesh = behind_many_others(scene.mesh, 65'540 + random.below(100));
+        if (i < 12 && i % 3 == 1)  // the left part of the target hides all, its middle the far one
             for (int y = 0; y < size; ++y)
                 for (int x = 0; x < 11; ++x) scene.target.depths.at(x, y) = x < 8 ? 0.1F : 0.45F;
-        if (i % 3 == 2)  // as deep as the near one: "less" is what passes
+        if (i < 12 && i % 3 == 2)  // as deep as the near one: "less" is what passes
             for (int y = 0; y < 10; ++y)
                 for (int x = 0; x < width; ++x) scene.target.depths.at(x, y) = near.vertices[0].window.depth;
         record<draw_flat>(out, "flat", scene, its_place, i);

@@ -19,7 +19,8 @@ inline pipeline::Layer empty_layer(int width, int height, float depth = 1)
     return {Grid<glm::vec3>(width, height, glm::vec3(0)), Grid<float>(width, height, depth)};
 }
 
-/// A place in the window, on quarters of pixels and up to 3 pixels outside, with any place and normal in the world.
+/// A place in the window, on quarters of pixels and up to 3 pixels outside, with any place and normal in the world; one
+/// in six lies in the near or the far plane.
 inline StagedVertex random_vertex(Random& random, int size)
 {
     const auto on_grid = [&] {
@@ -27,7 +28,8 @@ inline StagedVertex random_vertex(Random& random, int size)
     };
     const float x = on_grid();
     const float y = on_grid();
-    const float depth = random.uniform(0.05F, 0.95F);
+    const auto plane = static_cast<float>(random.below(2));
+    const float depth = random.below(6) == 0 ? plane : random.uniform(0.05F, 0.95F);
     const float inverse_w = std::exp2(-2 * random.uniform());
     const glm::vec3 position = 4.0F * random.in_cube();
     return {{{x, y}, depth, inverse_w}, {position, random.unit_vector()}};
@@ -60,6 +62,20 @@ inline StagedMesh square(float low, float high, float depth, float lean, float i
     }
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
     return mesh;
+}
+
+/// The mesh behind more vertices and triangles than 16 bits count, which lie outside of the window.
+inline StagedMesh behind_many_others(const StagedMesh& mesh, std::uint32_t others)
+{
+    StagedMesh all;
+    for (std::uint32_t i = 0; i < others; ++i) {
+        const glm::vec2 place(i % 2 == 0 ? -9 : -5, i % 3 == 0 ? -9 : -5);
+        all.vertices.push_back({{place, 0.5F, 1}, {glm::vec3(3, 4, 5), glm::vec3(0, 1, 0)}});
+        all.triangles.push_back({0, 1, 3});
+    }
+    all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    for (const glm::uvec3& triangle : mesh.triangles) all.triangles.push_back(triangle + others);
+    return all;
 }
 
 /// The same in the window, and turned or mirrored exactly in the world, and larger or smaller there. As it is unless
