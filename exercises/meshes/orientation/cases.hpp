@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kit/varied.hpp>
 #include <map>
 #include <utility>
 
@@ -74,15 +75,24 @@ inline std::vector<IndexedMesh> small_suspects()
             turned_over(octahedron())};
 }
 
-/// Everything that is no manifold, or looks as if it were none.
-inline std::vector<IndexedMesh> suspects(Random& random)
+/// The mesh, up to twice as large or as small.
+inline IndexedMesh resized(const IndexedMesh& mesh, Random& random)
 {
-    std::vector<IndexedMesh> meshes{hourglass(5), staircase(4), three_sheets(3),
+    const float factor = random.uniform(0.5F, 2);
+    return mapped(mesh, [&](const glm::vec3& position) { return factor * position; });
+}
+
+/// Everything that is no manifold, or looks as if it were none, in random order.
+inline std::vector<IndexedMesh> suspects(Variation& vary, Random& random)
+{
+    const std::uint32_t sides = 4 + random.below(8);
+    const int steps = 3 + static_cast<int>(random.below(4));
+    std::vector<IndexedMesh> meshes{hourglass(sides), staircase(steps), three_sheets(2 + random.below(4)),
                                     joined(hourglass(3), cubes_at_a_corner(), {3, 0, 0})};
     for (const Sample& sample : wild_meshes()) meshes.push_back(sample.mesh);
-    for (const Sample& sample : tame_meshes()) meshes.push_back(sample.mesh);
-    for (IndexedMesh& mesh : meshes) mesh = with_mixed_winding(shuffled(mesh, random), random);
-    return meshes;
+    for (const Sample& sample : tame_meshes(vary)) meshes.push_back(sample.mesh);
+    for (IndexedMesh& mesh : meshes) mesh = with_mixed_winding(shuffled(resized(mesh, random), random), random);
+    return in_random_order(random, std::move(meshes));
 }
 
 /// A closed piece without any volume: a triangle and its back.

@@ -32,8 +32,9 @@ void record_faults(Recorder& out, const IndexedMesh& mesh)
     // Lists that are longer than the mesh are cut: nothing of them can be right.
     const std::size_t most = 3 * mesh.triangles.size() + mesh.positions.size();
     const auto first = [&](const auto& list) { return std::span(list).first(std::min(list.size(), most)); };
-    row(0, static_cast<std::uint32_t>(mesh.positions.size()),
-        static_cast<std::uint32_t>(mesh.triangles.size()));  // a mesh begins
+    // A mesh begins, unless nothing was found: where it has no faults, a list of nothing is no event.
+    if (!faults.crowded_edges.empty() || !faults.lonely_vertices.empty() || !faults.torn_vertices.empty())
+        row(0, static_cast<std::uint32_t>(mesh.positions.size()), static_cast<std::uint32_t>(mesh.triangles.size()));
     for (const glm::uvec2& edge : first(faults.crowded_edges)) row(1, edge.x, edge.y);
     for (const std::uint32_t vertex : first(faults.lonely_vertices)) row(2, vertex, vertex);
     for (const std::uint32_t vertex : first(faults.torn_vertices)) row(3, vertex, vertex);
@@ -73,18 +74,20 @@ void record_separated(Recorder& out, const IndexedMesh& mesh)
 
 /// Two meshes after each other in random order: one that can be wound coherently, and one that cannot. Of no triangles
 /// there is a winding: the empty one.
-void record_windings(Random& random, Recorder& out)
+void record_windings(Variation& vary, Random& random, Recorder& out)
 {
     std::vector<IndexedMesh> good{hourglass(5),    staircase(2),    staircase(4),   book(3),
                                   three_sheets(1), three_sheets(3), three_sheets(4)};
-    for (const Sample& sample : tame_meshes()) good.push_back(sample.mesh);
+    for (const Sample& sample : tame_meshes(vary)) good.push_back(sample.mesh);
     good.insert(good.end(), {IndexedMesh{}, with_lonely_vertices({}, 1), with_lonely_vertices({}, 4)});
-    const std::vector<IndexedMesh> bad{moebius(9), moebius(8, 3), klein_bottle(6, 5), projective_plane(),
-                                       joined(octahedron(), moebius(5), {3, 0, 0})};
+    good = in_random_order(random, std::move(good));
+    const std::vector<IndexedMesh> bad =
+        in_random_order(random, std::vector{moebius(9), moebius(8, 3), klein_bottle(6, 5), projective_plane(),
+                                            joined(octahedron(), moebius(5), {3, 0, 0})});
     const auto record_pair = [&](const IndexedMesh& one, const IndexedMesh& other) {
         const bool swapped = random.below(2) == 1;
         for (const bool is_first : {!swapped, swapped})
-            record_coherent(out, with_mixed_winding(is_first ? one : other, random));
+            record_coherent(out, with_mixed_winding(resized(is_first ? one : other, random), random));
     };
     for (std::size_t i = 0; i < good.size(); ++i)
         record_pair(shuffled(good[i], random), shuffled(bad[i % bad.size()], random));
@@ -164,7 +167,8 @@ const Driver driver = {
      [](Case& c, Recorder& out) {
          out.text("faults.names", names_of_faults);
          for (const IndexedMesh& written : in_random_order(c.vary, small_suspects())) {
-             const IndexedMesh mesh = shuffled(written, c.vary);
+             Random* const random = c.vary.random();
+             const IndexedMesh mesh = random != nullptr ? shuffled(resized(written, *random), *random) : written;
              record_faults(out, mesh);
              record_separated(out, mesh);
          }
@@ -172,9 +176,9 @@ const Driver driver = {
     {"manifold",
      [](Case& c, Recorder& out) {
          out.text("faults.names", names_of_faults);
-         for (const IndexedMesh& mesh : suspects(c.random)) record_faults(out, mesh);
+         for (const IndexedMesh& mesh : suspects(c.vary, c.random)) record_faults(out, mesh);
      }},
-    {"coherent", [](Case& c, Recorder& out) { record_windings(c.random, out); }},
+    {"coherent", [](Case& c, Recorder& out) { record_windings(c.vary, c.random, out); }},
     {"outward",
      [](Case& c, Recorder& out) {
          for (int i = 0; i < 4; ++i) record_outward(out, crowd(c.random));
@@ -182,7 +186,7 @@ const Driver driver = {
     {"far from the origin", [](Case& c, Recorder& out) { record_far(c.random, out); }},
     {"separated",
      [](Case& c, Recorder& out) {
-         for (const IndexedMesh& mesh : suspects(c.random)) record_separated(out, mesh);
+         for (const IndexedMesh& mesh : suspects(c.vary, c.random)) record_separated(out, mesh);
          for (const IndexedMesh& mesh : {torus(9, 7), hourglass(20), staircase(4)})
              record_separated(out, with_large_indices(mesh, c.random));
      }},
