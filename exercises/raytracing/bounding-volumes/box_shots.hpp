@@ -55,12 +55,14 @@ inline std::vector<BoxShot> along_the_axes(Random& random)
 
 /// Boxes that a ray touches in one point of an edge or in a corner, all in whole numbers and at a whole t, and the same
 /// ray where it leaves one t before it enters. Quotients are exact there; products with a rounded reciprocal are not:
-/// 49 (1/49) < 1. For half of the pairs such a number is chosen for the component along which the ray leaves.
+/// 49 (1/49) < 1. For half of the pairs such a number is chosen for the component along which the ray leaves. For a
+/// quarter the point is so far away that its distance from the origin is no float, and a quotient of floats not exact.
 inline std::vector<BoxShot> touching(Random& random)
 {
     constexpr std::array unlucky{49, 98, 103, 107, 161, 187, 196, 197};
     std::vector<BoxShot> shots;
-    for (int i = 0; i < 96; ++i) {
+    for (int i = 0; i < 128; ++i) {
+        const bool is_far = i % 4 == 1;
         const int leaves = static_cast<int>(random.below(3));
         const int enters = (leaves + 1 + static_cast<int>(random.below(2))) % 3;
         const int other = 3 - leaves - enters;
@@ -72,21 +74,25 @@ inline std::vector<BoxShot> touching(Random& random)
             step = {1 << whole(0, 6), 1 << whole(0, 6), 1 << whole(0, 6)};
             step[leaves] = unlucky[random.below(unlucky.size())];
         }
+        if (is_far) step = {whole(1 << 20, 1 << 22), whole(1 << 20, 1 << 22), whole(1 << 20, 1 << 22)};
         for (int axis = 0; axis < 3; ++axis)
             if (random.below(2) == 0) step[axis] = -step[axis];
-        const int t = i % 2 == 0 ? 1 << whole(0, 3) : whole(1, 9);
-        const glm::ivec3 point{whole(-50, 50), whole(-50, 50), whole(-50, 50)};
+        const int t = is_far ? whole(1000, 1 << 15) : i % 2 == 0 ? 1 << whole(0, 3) : whole(1, 9);
+        const glm::dvec3 way = static_cast<double>(t) * glm::dvec3(step);
+        const glm::dvec3 near_zero{whole(-50, 50), whole(-50, 50), whole(-50, 50)};
+        // Far away, the nearest place that floats have.
+        const glm::dvec3 point = is_far ? glm::dvec3(glm::vec3(way)) : near_zero;
+        const glm::dvec3 forward = (is_far ? 32768.0 : 1.0) * glm::dvec3(glm::sign(step));
         // Back from where the ray leaves, on from where it enters: it has one point in common with such a box.
-        glm::ivec3 far = point;
-        far[leaves] -= glm::sign(step[leaves]) * whole(1, 20);
-        far[enters] += glm::sign(step[enters]) * whole(1, 20);
+        glm::dvec3 far = point;
+        far[leaves] -= forward[leaves] * whole(1, 20);
+        far[enters] += forward[enters] * whole(1, 20);
         // At a corner, or within an edge.
-        glm::ivec3 near = point;
-        far[other] += glm::sign(step[other]) * whole(1, 20);
-        if (i % 4 < 2) near[other] -= glm::sign(step[other]) * whole(1, 20);
+        glm::dvec3 near = point;
+        far[other] += forward[other] * whole(1, 20);
+        if (i % 4 < 2) near[other] -= forward[other] * whole(1, 20);
         const BoundingBox box{glm::vec3(min(near, far)), glm::vec3(max(near, far))};
-        const glm::ivec3 origin = point - t * step;
-        BoxShot hit{Ray{glm::vec3(origin), glm::vec3(step)}, box};
+        BoxShot hit{Ray{glm::vec3(point - way), glm::vec3(step)}, box};
         BoxShot miss = hit;
         miss.ray.origin[leaves] += static_cast<float>(step[leaves]);
         add_pair(shots, hit, miss, random);

@@ -77,7 +77,7 @@ void few(Recorder& out, Random& random)
 void random_rays(Recorder& out, Random& random)
 {
     for (int i = 0; i < 5; ++i) {
-        const float size = exact_size(random);
+        const float size = any_size(random);
         const Soup soup = random_soup(random, 250, 0.8F);
         const Hierarchy hierarchy = hierarchy_of(out, sized(soup, size));
         for (int k = 0; k < 60; ++k) {
@@ -104,7 +104,7 @@ void intervals(Recorder& out, Random& random)
             ray.t_min = random.uniform(-14, -4);
         }
         if (i % 3 == 0) ray.t_max = random.uniform(2, 9);
-        const float longer = std::exp2(std::floor(i % 3 == 0 ? random.uniform(-60, 60) : random.uniform(-9, 9)));
+        const float longer = std::exp2(std::floor(i % 3 == 0 ? random.uniform(-110, 110) : random.uniform(-9, 9)));
         record_answer(out, hierarchy, {ray.origin, longer * ray.direction, ray.t_min / longer, ray.t_max / longer});
         if (i % 5 != 0) continue;
         ray.t_max = random.uniform(1, 9);
@@ -147,7 +147,7 @@ void ties(Recorder& out, Random& random)
     for (int i = 0; i < 200; ++i) {
         const glm::vec2 place(static_cast<float>(random.below(16)) / 2, static_cast<float>(random.below(16)) / 2);
         const float side = random.below(2) == 0 ? 1 : -1;
-        const float length = random.uniform(0.25F, 3);
+        const float length = random.uniform(0.25F, 3) * std::exp2(std::floor(random.uniform(-16, 6)));
         record_answer(out, hierarchy, {{place, 3 * side}, {0, 0, i % 4 == 0 ? -side : -side * length}});
     }
 }
@@ -191,28 +191,35 @@ void edges(Recorder& out, Random& random)
     }
 }
 
-/// Where so many rays hit.
-Amount amount_of_hits(Recorder& out, const Hierarchy& hierarchy, const Soup& soup, int rays, Random& random)
+/// Where so many rays hit the soup, of which the hierarchy may have a smaller copy.
+Amount amount_of_hits(Recorder& out, const Hierarchy& hierarchy, const Soup& soup, int rays, Random& random,
+                      float size = 1)
 {
     std::vector<glm::vec3> hits;
     for (int i = 0; hierarchy && i < rays; ++i) {
-        const auto hit = ask<&TriangleHierarchy::first_hit>(out, *hierarchy, ray_into(soup, 4, random));
+        Ray ray = ray_into(soup, 4, random);
+        ray = {size * ray.origin, size * ray.direction};
+        const auto hit = ask<&TriangleHierarchy::first_hit>(out, *hierarchy, ray);
         hits.emplace_back(hit ? hit->hit.t : -1.0F);
     }
     return Amount().in_order(hits);
 }
 
+// Bodies as small as dust, where no distance is a small one.
 void work(Recorder& out, Random& random)
 {
     out.text("of building.names", "triangles");
     out.text("of asking.names", "triangles");
+    constexpr float size = 0x1p-40F;
     for (const int n : {4, 6, 9, 13, 19}) {
         const Soup soup = hilly_ball(n, random);
+        const Soup dust = sized(soup, size);
         Hierarchy hierarchy;
-        record_cost(out, "of building", soup.size(), [&] { hierarchy = hierarchy_of(out, soup); });
+        record_cost(out, "of building", soup.size(), [&] { hierarchy = hierarchy_of(out, dust); });
         if (!cost_is_wanted(out, "of asking")) continue;
-        if (!hierarchy) hierarchy = hierarchy_of(out, soup);
-        record_cost(out, "of asking", soup.size(), [&] { return amount_of_hits(out, hierarchy, soup, 80, random); });
+        if (!hierarchy) hierarchy = hierarchy_of(out, dust);
+        record_cost(out, "of asking", soup.size(),
+                    [&] { return amount_of_hits(out, hierarchy, soup, 80, random, size); });
     }
 }
 

@@ -27,6 +27,9 @@ inline Soup random_soup(Random& random, int count, float size)
     return soup;
 }
 
+/// A power of two from 1e-27 to 1e12, for figures that are multiplied by it without rounding.
+inline float any_size(Random& random) { return std::exp2(std::floor(random.uniform(-90, 40))); }
+
 /// The same triangles, so many times as large.
 inline Soup sized(Soup soup, float size)
 {
@@ -191,7 +194,7 @@ inline void add_box_pair(std::vector<BoxShot>& shots, int kind, Random& random)
     } else if (kind % 5 == 4) {
         hit.ray = {middle, glm::vec3(-from)};
     }
-    const float longer = std::exp2(kind % 3 == 0 ? random.uniform(-60, 60) : random.uniform(-8, 8));
+    const float longer = std::exp2(kind % 3 == 0 ? random.uniform(-110, 110) : random.uniform(-8, 8));
     for (Ray* ray : {&hit.ray, &miss.ray}) {
         ray->direction *= longer;
         ray->t_min /= longer;

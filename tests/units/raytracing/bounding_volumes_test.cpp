@@ -127,7 +127,7 @@ TEST(BoundingVolumes, boxes_are_met_where_a_point_of_the_ray_lies_in_them)
     for (int i = 0; i < 300; ++i) add_box_pair(shots, i, random);
     for (std::size_t i = 0; i < shots.size(); ++i) {
         const auto& [ray, box] = shots[i];
-        const double whole = 20 / double{length(ray.direction)};
+        const double whole = 20 / length(glm::dvec3(ray.direction));
         bool inside = false;
         for (int step = 0; step <= 40'000; ++step) {
             const double t = whole * step / 40'000;
