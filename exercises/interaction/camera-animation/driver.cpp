@@ -189,7 +189,7 @@ void record_straight_above(Recorder& out, Random& random)
 // or by a little more.
 void record_through(Recorder& out, Random& random)
 {
-    for (int i = 0; i < 24; ++i) {
+    for (std::size_t i = 0; i < 24; ++i) {
         const bool is_past = i % 6 > 1;
         const glm::vec3 meeting = is_past ? glm::vec3(0) : on_grid(random, 4);
         const glm::vec3 eye_step = on_grid(random, 3) + glm::vec3(0, 0, 5);
@@ -197,7 +197,9 @@ void record_through(Recorder& out, Random& random)
         const float before = i % 2 == 0 ? 2.0F : 1.0F;
         CameraFlight flight{meeting - before * eye_step, meeting + (4 - before) * eye_step,
                             meeting - before * target_step, meeting + (4 - before) * target_step, 4};
-        const float past = i % 6 < 4 ? random.uniform(0.3e-6F, 0.97e-6F) : random.uniform(1.03e-6F, 4e-6F);
+        constexpr std::array limits{0.0F, 0.0F, 0.3e-6F, 0.9e-6F, 1.03e-6F, 1.15e-6F};
+        constexpr std::array ends{0.0F, 0.0F, 0.9e-6F, 0.97e-6F, 1.15e-6F, 4e-6F};
+        const float past = random.uniform(limits[i % 6], ends[i % 6]);
         if (is_past) flight.target_from = flight.target_to = past * random.unit_vector();
         for (const float seconds : {before - 0.5F, before, before + 0.5F}) record_view(out, flight, seconds);
     }

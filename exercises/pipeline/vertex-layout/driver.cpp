@@ -171,7 +171,7 @@ void record_far_vertices(Random& random, Recorder& out)
 
     const std::vector<VertexAttribute> bytes = {{ComponentType::unsigned_byte, 1}};
     const std::uint64_t vertices = 65'600 + random.below(1000);
-    record_repacked(random, out, bytes, vertices, {{{0, 1}}, vertices}, {{{3, 1}}, vertices + 3}, 1, 1999);
+    record_repacked(random, out, bytes, vertices, {{{0, 1}}, vertices}, {{{3, 1}}, vertices + 3}, 60, 65'537);
 
     for (const ComponentType type : {ComponentType::unsigned_short, ComponentType::float64}) {
         const VertexAttribute attribute{type, 1 + random.below(4)};
