@@ -1,3 +1,5 @@
+#include <cmath>
+#include <limits>
 #include <numbers>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
@@ -12,6 +14,13 @@ namespace {
 using namespace transforms;
 
 constexpr float pi = std::numbers::pi_v<float>;
+
+// Of either sign, from 10^low to 10^high.
+float of_any_size(Random& random, float low, float high)
+{
+    const float size = std::pow(10.0F, random.uniform(low, high));
+    return random.below(2) == 0 ? size : -size;
+}
 
 // A matrix that is not the student's, so that a wrong matrix does not hide a wrong product.
 glm::mat4 given_matrix(Random& random)
@@ -111,12 +120,79 @@ void record_many_turns(Random& random, Recorder& out)
         for (int i = 0; i < 5; ++i) record_rotations(angle * random.uniform(0.9F, 1), out);
 }
 
+// What is small beside 1 is no less a number than others. A matrix's entries are compared with the largest of their
+// column, so that sines of small angles, in which 1 is the largest, are recorded one by one.
+void record_small_turns(Random& random, Recorder& out)
+{
+    const float angle = of_any_size(random, -30, -2);
+    const auto record = [&](const glm::mat4& matrix, int from, int to) {
+        out.columns("small turns", "the sine's entries");
+        for (const float entry : {matrix[from][to], matrix[to][from]}) out.append("small turns", entry);
+    };
+    record(ask<rotation_about_x>(out, angle), 1, 2);
+    record(ask<rotation_about_y>(out, angle), 2, 0);
+    record(ask<rotation_about_z>(out, angle), 0, 1);
+}
+
+glm::vec3 any_factors(Random& random)
+{
+    glm::vec3 factors;
+    for (int i = 0; i < 3; ++i) factors[i] = of_any_size(random, -10, 10);
+    return factors;
+}
+
+glm::mat4 given_factors(Random& random)
+{
+    const glm::vec3 factors = any_factors(random);
+    glm::mat4 matrix(1);
+    for (int i = 0; i < 3; ++i) matrix[i][i] = factors[i];
+    return matrix;
+}
+
+// All terms of an image's sums have one sign, so that nothing is lost.
+void record_images(Random& random, Recorder& out)
+{
+    const float size = of_any_size(random, -12, 12);
+    const float length = of_any_size(random, -18, 18);
+    const auto terms = [&](float of) {
+        const float x = random.uniform(0.3F, 1);
+        const float y = random.uniform(0.3F, 1);
+        return of * glm::vec3(x, y, random.uniform(0.3F, 1));
+    };
+    glm::mat4 matrix(1);
+    for (int column = 0; column < 3; ++column) matrix[column] = glm::vec4(terms(size), 0);
+    matrix[3] = glm::vec4(terms(size * length), 1);
+    const glm::vec3 v = terms(length);
+    out.append("images", ask<transform_point>(out, matrix, v));
+    out.append("images", ask<transform_vector>(out, matrix, v));
+}
+
+// Numbers of all sizes; those that are only copied may be the smallest and the largest that there are.
+void record_sizes(Random& random, Recorder& out)
+{
+    const float ends[] = {0, std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::max()};
+    for (int i = 0; i < 24; ++i) {
+        glm::vec3 numbers;
+        for (int k = 0; k < 3; ++k) numbers[k] = of_any_size(random, -37, 37);
+        if (i % 4 == 0) numbers[static_cast<int>(random.below(3))] = ends[random.below(3)];
+        out.append("copied", ask<translation_matrix>(out, numbers));
+        out.append("copied", ask<scaling_matrix>(out, {numbers.y, numbers.z, numbers.x}));
+        out.append("copied", ask<shear_matrix>(out, i % 3, (i + 1 + i / 3 % 2) % 3, numbers.z));
+        record_small_turns(random, out);
+        record_images(random, out);
+        std::vector<glm::mat4> steps;
+        for (int k = 0; k < 2 + i % 2; ++k) steps.push_back(given_factors(random));
+        out.append("composed", ask<compose_matrices>(out, steps));
+    }
+}
+
 }
 
 const Driver driver = {
     {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"many turns", [](Case& c, Recorder& out) { record_many_turns(c.random, out); }},
+    {"sizes", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
     {"no steps", [](Case& c, Recorder& out) { record_no_steps(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("tower", draw_tower(c.vary, out)); }},
 };
