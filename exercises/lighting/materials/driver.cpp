@@ -160,8 +160,8 @@ void record_graph(Recorder& out, Random& random, MaterialGraph graph,
                           static_cast<float>(pipeline.drawn.size()),
                           static_cast<float>(std::max(most, pipeline.reflections_set) - most)};
     out.columns("pointer",
-                "context.material (1 the default one, 0 none, 2 another), diffuse blue on the pipeline, texture on the "
-                "pipeline, objects drawn, activations without need");
+                "context.material: 1 for the default one; 0 for none; 2 for another, diffuse blue on the pipeline, "
+                "texture on the pipeline, objects drawn, activations without need");
     out.append("pointer", std::span<const float>(left));
 }
 

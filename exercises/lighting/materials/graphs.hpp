@@ -28,14 +28,34 @@ inline Material any_material(Random& random)
     return material;
 }
 
-/// Materials that are all different, every second one with a texture; of the textures two materials share each.
+/// The same but for one of the five values.
+inline Material with_one_other_value(Material material, Random& random)
+{
+    const Material other = random_material(random);
+    switch (random.below(5)) {
+        case 0: material.emission = other.emission; break;
+        case 1: material.ambient = other.ambient; break;
+        case 2: material.diffuse = other.diffuse; break;
+        case 3: material.specular = other.specular; break;
+        default: material.shininess = other.shininess + 0.5F;
+    }
+    return material;
+}
+
+/// Materials that are all different, every second one with a texture; of the textures two materials share each. Of each
+/// four the second and, from the fifth material on, the first have an earlier one's reflection, so that they differ
+/// from it in the texture alone; the fourth differs from the second in one value alone.
 inline std::vector<Recipe> recipes(Random& random, std::uint32_t count)
 {
     std::vector<Recipe> all;
     std::shared_ptr<SharedTexture> texture;
     for (std::uint32_t i = 0; i < count; ++i) {
         if (i % 4 == 0) texture = std::make_shared<NamedTexture>(1 + i);
-        all.push_back({any_material(random), i % 2 == 0 ? texture : nullptr});
+        Material reflection = any_material(random);
+        if (i % 4 == 1) reflection = all[i - 1].reflection;
+        if (i % 4 == 0 && i > 0) reflection = all[i - 2].reflection;
+        if (i % 4 == 3) reflection = with_one_other_value(all[i - 2].reflection, random);
+        all.push_back({reflection, i % 2 == 0 ? texture : nullptr});
     }
     return all;
 }
@@ -51,7 +71,7 @@ inline std::vector<std::shared_ptr<const SurfaceMaterial>> made(const std::vecto
 }
 
 /// Four materials, and nodes whose right picture follows by hand: a material that is changed within a node, one that
-/// ends with its node, a node that has none of its own, entered below two.
+/// ends with its node, a node that has none of its own, entered below two, one that ends with a transformation.
 inline MaterialGraph graph_by_hand()
 {
     MaterialGraph graph;
@@ -74,12 +94,12 @@ inline MaterialGraph graph_by_hand()
                     {Kind::transformation, 1},
                     {Kind::object, 23}},
                    {{Kind::object, 30}, {Kind::transformation, 1}, {Kind::node, 3}, {Kind::object, 31}},
-                   {{Kind::material, 0}, {Kind::object, 40}}};
+                   {{Kind::material, 0}, {Kind::object, 40}, {Kind::transformation, 0}}};
     return graph;
 }
 
-/// Up to a dozen nodes that enter only later ones, at random; some are empty, some are entered several times. The same
-/// material is there twice.
+/// Up to a dozen nodes that enter only later ones, at random; some are empty, some are entered several times, and they
+/// end with entries of all kinds. The same material is there twice.
 inline MaterialGraph random_graph(Random& random, std::uint32_t materials)
 {
     MaterialGraph graph;
@@ -105,7 +125,10 @@ inline MaterialGraph random_graph(Random& random, std::uint32_t materials)
             else
                 entries.push_back({Kind::transformation, random.below(5)});
         }
-        entries.push_back({Kind::object, 1000 + node});
+        const std::uint32_t end = random.below(4);
+        if (end == 0) entries.push_back({Kind::transformation, random.below(5)});
+        if (end == 1) entries.push_back({Kind::material, random.below(materials)});
+        if (end > 1 || node == graph.root) entries.push_back({Kind::object, 1000 + node});
         graph.nodes.push_back(entries);
     }
     return graph;
