@@ -49,7 +49,7 @@ Confirmed confirmed_by(const Condition& condition, Samples& samples, ToldSample 
     std::size_t wrong = condition.wrong;
     std::size_t right = condition.right;
     std::size_t confirmed = 0;
-    for (std::size_t i = 1; i <= Samples::most_fresh; ++i) {
+    for (std::size_t i = 1; i <= samples.fresh_sets(); ++i) {
         const ToldSample& fresh = samples.fresh(i).*of;
         if (fresh.names != seen.names) return Confirmed::no;
         // Rare ones may not come again at all.
@@ -101,7 +101,7 @@ std::string common_answer(Samples& samples)
     const bool fixed = !patterns.empty() && samples.is_fixed();
     std::optional<AskedSample> pending;
     std::size_t confirmed = 0;
-    for (std::size_t i = 1; i <= Samples::most_fresh && !patterns.empty(); ++i) {
+    for (std::size_t i = 1; i <= samples.fresh_sets() && !patterns.empty(); ++i) {
         AskedSample fresh = samples.fresh(i);
         // Of few nothing can be told: they are looked at together.
         if (pending && add(*pending, fresh)) fresh = *std::exchange(pending, std::nullopt);

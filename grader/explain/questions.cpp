@@ -81,14 +81,14 @@ public:
         if (result.first_difference && !result.first_difference->cell)
             if (const auto question = first_wrong_group(worker_, asked, one_.seed))
                 shown_.push_back({{*question, 1}, &result.first_difference->question});
+        if (one_.hidden)
+            if (auto example = practice_example(worker_, asked)) {
+                result.practice_example = std::move(example->first);
+                result.practice_seed = example->seed;
+            }
         // What wrong answers share says nothing of the cause then.
         std::string& shared = one_.hidden ? result.practice : result.common;
         shared = alone ? right_alone : sentence_of(find_in_common(worker_, asked));
-        if (!one_.hidden) return;
-        if (auto example = practice_example(worker_, asked)) {
-            result.practice_example = std::move(example->first);
-            result.practice_seed = example->seed;
-        }
     }
 
     /// Asks for the code of all that is shown.

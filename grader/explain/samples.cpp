@@ -9,8 +9,9 @@
 namespace umbral::grader {
 namespace {
 
-constexpr std::size_t enough_wrong = 8;  ///< answers in which something can be looked for
-constexpr std::size_t most_added = 3;    ///< sets of other inputs
+constexpr std::size_t enough_wrong = 8;   ///< answers in which something can be looked for
+constexpr std::size_t most_added = 3;     ///< sets of other inputs
+constexpr double most_fresh_seconds = 3;  ///< for fresh sets
 
 }
 
@@ -32,6 +33,23 @@ std::uint64_t input_seed(const AskedCheck& asked, std::size_t place)
     return first ^ (place * 0x9E3779B97F4A7C15U);
 }
 
+double Samples::seconds_of_a_set() const
+{
+    const auto seconds = [&](Answers solution) {
+        return worker_.trusted(asked_.exercise, solution, asked_.check.case_name, input_seed(asked_, 0)).cpu_seconds;
+    };
+    // The reference also runs to tell of its questions.
+    const double reference = seconds(Answers::reference);
+    const Answers judged = judged_against(asked_.check);
+    return 2 * reference + (judged == Answers::reference ? 0 : seconds(judged)) + asked_.result.student.cpu_seconds;
+}
+
+std::size_t Samples::fresh_sets()
+{
+    const double sets = most_fresh_seconds / std::max(seconds_of_a_set(), most_fresh_seconds / most_fresh);
+    return static_cast<std::size_t>(sets);
+}
+
 AskedSample Samples::others(std::size_t place, const AskedSample& but) const
 {
     return asked_sample(worker_, asked_, VariedSeed::without_mark(input_seed(asked_, place)), &but);
@@ -42,7 +60,7 @@ void Samples::add_to(AskedSample& first)
     const std::size_t wrong = wrong_in(first.answers);
     AskedSample all = first;
     bool same = true;
-    while (used_ <= most_added && wrong_in(all.answers) < enough_wrong) {
+    while (used_ <= std::min(most_added, fresh_sets()) && wrong_in(all.answers) < enough_wrong) {
         const AskedSample more = others(used_++, first);
         if (!fixed_) fixed_ = !asked_.result.hidden && more.answers.answers.empty();
         if (!add(all, more)) return;

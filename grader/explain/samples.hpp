@@ -20,8 +20,6 @@ namespace umbral::grader {
 /// first asked for.
 class Samples {
 public:
-    static constexpr std::size_t most_fresh = 6;
-
     /// Both must live as long.
     Samples(Worker& worker, const AskedCheck& asked) : worker_(worker), asked_(asked) {}
 
@@ -31,11 +29,18 @@ public:
     /// Does the case ask the same at every desk? Of a hidden one nobody knows: no.
     [[nodiscard]] bool is_fixed();
 
-    /// Answers to inputs that were not seen, 1 to most_fresh. What is written down in the driver is varied in them:
+    /// How many sets of inputs that were not seen may be asked: six, or as many as take a few seconds, what the trusted
+    /// solutions take among them.
+    [[nodiscard]] std::size_t fresh_sets();
+
+    /// Answers to inputs that were not seen, 1 to fresh_sets(). What is written down in the driver is varied in them:
     /// what is so of the one scene that it draws may be so by chance.
     [[nodiscard]] const AskedSample& fresh(std::size_t number);
 
 private:
+    static constexpr std::size_t most_fresh = 6;
+
+    [[nodiscard]] double seconds_of_a_set() const;
     [[nodiscard]] AskedSample others(std::size_t place, const AskedSample& but) const;
     void add_to(AskedSample& first);
 
