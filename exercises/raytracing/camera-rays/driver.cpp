@@ -76,7 +76,7 @@ void record_random(Random& random, Recorder& out)
 // Pictures of all shapes, and fields of view from narrow to very wide, at what is near and far.
 void record_shapes(Random& random, Recorder& out)
 {
-    const glm::ivec2 sizes[] = {{1, 1}, {7, 3}, {3, 7}, {1, 500}, {500, 1}, {1920, 1080}, {2, 3}, {5, 5}};
+    const glm::ivec2 sizes[] = {{1, 1}, {7, 3}, {3, 8}, {1, 500}, {500, 1}, {1920, 1080}, {1281, 721}, {6, 4}};
     for (int i = 0; i < 80; ++i) {
         PrimaryCamera camera = random_camera(random, random.in_cube(), std::pow(10.0F, random.uniform(-3, 3)));
         camera.fovy = i % 2 == 0 ? random.uniform(0.05F, 0.4F) : random.uniform(1.6F, 2.97F);
@@ -116,6 +116,21 @@ void record_up(Random& random, Recorder& out)
         camera.up = glm::vec3(side * view + lean * perpendicular_to(view, random));
         if (i % 4 == 3) camera = steep_camera(random, i / 4 % 3);
         camera.up *= std::pow(10.0F, random.uniform(-12, 12));
+        record_direction(out, camera, 64, 48, random_place(random, 64, 48));
+    }
+}
+
+// Up vectors so near the view that a cross product of float numbers has lost two digits and more of their frame.
+void record_steep(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const float away = std::pow(10.0F, random.uniform(0, 5));
+        PrimaryCamera camera = random_camera(random, away * random.in_cube(), away * random.uniform(0.1F, 2));
+        const glm::dvec3 view = normalize(glm::dvec3(camera.target) - glm::dvec3(camera.eye));
+        const double lean = std::pow(10.0F, random.uniform(-2.9F, -1.7F));
+        const double side = random.below(2) == 0 ? 1 : -1;
+        camera.up = glm::vec3(side * view + lean * perpendicular_to(view, random));
+        camera.up *= std::pow(10.0F, random.uniform(-3, 3));
         record_direction(out, camera, 64, 48, random_place(random, 64, 48));
     }
 }
@@ -166,17 +181,21 @@ void record_sun(Recorder& out)
                 out.append("sun", picture.contains(x, y) ? picture.at(x, y)[channel] : not_a_number);
 }
 
-// Small pictures of light that changes fast within a pixel, so that each sample counts.
+// Small pictures of light that changes fast within a pixel, so that each sample counts; in every second one it is 0
+// along many rays, for some or all channels.
 void record_rendered(Random& random, Recorder& out)
 {
-    const glm::ivec3 kinds[] = {{1, 1, 1}, {5, 3, 1}, {3, 4, 2}, {4, 2, 3}, {2, 2, 5}, {6, 1, 4}, {1, 2, 9}};
+    const glm::ivec3 kinds[] = {{1, 1, 1}, {5, 3, 1}, {3, 4, 2}, {4, 2, 3}, {2, 2, 5}, {6, 1, 4}, {1, 2, 9}, {3, 3, 2}};
+    bool with_dark = true;
     for (const glm::ivec3& kind : kinds) {
         const PrimaryCamera camera = random_camera(random, 2.0F * random.in_cube(), 3);
         const glm::vec3 waves = 25.0F * random.unit_vector();
         std::uint32_t asked = 0;
+        with_dark = !with_dark;
         const LightAlongRay light_along = [&](const Ray& ray) {
             ++asked;
             const glm::vec3 d = ray.direction + 0.1F * (ray.origin - camera.eye);
+            if (with_dark) return 4.0F * max(glm::vec3(0), sin(glm::vec3(0, 0.5F, 1) + dot(waves, d)));
             return glm::vec3(4 + 4 * std::sin(dot(waves, d)), 0.5F + 0.5F * d.x, std::exp(2 * d.y));
         };
         ask_in_words(out, [&] {
@@ -208,6 +227,7 @@ const Driver driver = {
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"shapes", [](Case& c, Recorder& out) { record_shapes(c.random, out); }},
     {"up", [](Case& c, Recorder& out) { record_up(c.random, out); }},
+    {"steep", [](Case& c, Recorder& out) { record_steep(c.random, out); }},
     {"far from the origin", [](Case& c, Recorder& out) { record_far(c.random, out); }},
     {"telephoto", [](Case& c, Recorder& out) { record_telephoto(c.random, out); }},
     {"samples", [](Case& c, Recorder& out) { record_samples(c.random, out); }},
