@@ -35,4 +35,10 @@ inline std::vector<Spot> drawn(float primitive, const std::vector<std::string>& 
 
 inline const std::vector<std::string> triangle{"#....", "##...", "###..", "####."};
 
+inline Judgement judged(const std::vector<Spot>& yours, const std::vector<Spot>& expected, Tolerance tolerance = {},
+                        const Tensor* names = nullptr)
+{
+    return judge(check_of(JudgeKind{"fragments"}, tolerance), fragments(yours), fragments(expected), nullptr, names);
+}
+
 }
