@@ -10,6 +10,15 @@ namespace {
 
 InputMemory& memory_of(GLFWwindow* window) { return *static_cast<InputMemory*>(glfwGetWindowUserPointer(window)); }
 
+MouseState state_now(GLFWwindow* window)
+{
+    MouseState state;
+    glfwGetCursorPos(window, &state.cursor.x, &state.cursor.y);
+    for (int button = 0; button <= GLFW_MOUSE_BUTTON_LAST; ++button)
+        if (glfwGetMouseButton(window, button) == GLFW_PRESS) state.buttons |= 1U << static_cast<unsigned>(button);
+    return state;
+}
+
 /// Notes an event whose state has been reached.
 void note(GLFWwindow* window, InputKind kind, int code, glm::dvec2 change = {0, 0})
 {
@@ -47,21 +56,15 @@ void on_key(GLFWwindow* window, int key, int, int action, int)
 
 void install_input(GLFWwindow* window)
 {
-    memory_of(window).state = sample_mouse(window);
+    // Later GLFW is not asked: a real pointer may be farther on by then than the last event that it has delivered.
+    memory_of(window).state = state_now(window);
     glfwSetMouseButtonCallback(window, on_button);
     glfwSetCursorPosCallback(window, on_cursor);
     glfwSetScrollCallback(window, on_scroll);
     glfwSetKeyCallback(window, on_key);
 }
 
-MouseState sample_mouse(GLFWwindow* window)
-{
-    MouseState state;
-    glfwGetCursorPos(window, &state.cursor.x, &state.cursor.y);
-    for (int button = 0; button <= GLFW_MOUSE_BUTTON_LAST; ++button)
-        if (glfwGetMouseButton(window, button) == GLFW_PRESS) state.buttons |= 1U << static_cast<unsigned>(button);
-    return state;
-}
+MouseState sample_mouse(GLFWwindow* window) { return memory_of(window).state; }
 
 std::optional<InputEvent> request_event(GLFWwindow* window, InputKind kind)
 {

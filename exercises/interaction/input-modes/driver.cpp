@@ -32,14 +32,18 @@ void record_samples(Recorder& out, const input::EventScript& script, double step
     }
 }
 
-/// Reads the queue now and then, a few events at a time.
+/// Reads the queue now and then, a few events at a time. In between a key is pressed, repeated and released for which
+/// GLFW has no name.
 void record_queue(Recorder& out, const input::EventScript& script, double step, int at_a_time, int session = 0)
 {
     InputTrial trial(out, script, session);
     trial.install();
     trial.take(1);
+    constexpr std::array unknown_key = {GLFW_PRESS, GLFW_REPEAT, GLFW_RELEASE};
+    std::size_t pass = 0;
     for (double time = step; !trial.script_is_over(); time += step) {
         trial.pass(time);
+        if (pass < unknown_key.size()) trial.unknown_key(unknown_key.at(pass++));
         trial.take(at_a_time);
     }
     trial.take(all_events);
@@ -57,8 +61,9 @@ void record_late_beginning(Case& what, Recorder& out)
 {
     name_events(out, "events");
     InputTrial trial(out, varied(what.vary,
-                                 "0.1 move 200 100\n0.2 press right\n0.25 press 6\n0.3 press middle -210.5 -90.25\n"
-                                 "0.5 move 220 85\n0.6 press left\n0.7 release right\n0.8 scroll 1 0\n",
+                                 "0.1 move 200 100\n0.2 press right\n0.22 press left\n0.25 press 8\n"
+                                 "0.3 press 6 -210.5 -90.25\n0.5 move 220 85\n0.55 release left\n"
+                                 "0.6 press middle\n0.65 release 8\n0.7 release right\n0.8 scroll 1 0\n",
                                  {.buttons = true}));
     trial.pass(0.4);
     trial.install();

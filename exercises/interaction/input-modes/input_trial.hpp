@@ -79,6 +79,16 @@ public:
     }
     /// The program that was asked to close does not.
     void go_on() const { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
+    /// A key for which GLFW has no name is pressed or released: no script can say so, so that the window's callback is
+    /// called as GLFW would.
+    void unknown_key(int action)
+    {
+        const GLFWkeyfun callback = glfwSetKeyCallback(window_, nullptr);
+        glfwSetKeyCallback(window_, callback);
+        unknown_keys_ += std::string("// at ") + std::to_string(glfwGetTime()) + " s: GLFW_KEY_UNKNOWN, " +
+                         std::string(input_words::actions.at(static_cast<std::size_t>(action))) + "\n";
+        if (callback != nullptr) callback(window_, GLFW_KEY_UNKNOWN, 151, action, 0);
+    }
     /// Works for a quarter of a second, in which GLFW delivers none.
     void work() const { glfwSwapBuffers(window_); }
 
@@ -153,7 +163,8 @@ private:
             const double now = glfwGetTime();
             const bool in_full = out_.questions()->inquiry().in_full;
             return "install_input(window);  // at " + std::to_string(installed_) + " s\n" +
-                   script_until(script_, now + ahead, in_full) + "\n// at " + std::to_string(now) + " s\n" + call;
+                   script_until(script_, now + ahead, in_full) + "\n" + unknown_keys_ + "// at " + std::to_string(now) +
+                   " s\n" + call;
         });
     }
 
@@ -164,6 +175,7 @@ private:
     input::Headless session_;
     GLFWwindow* window_ = nullptr;
     double installed_ = 0;
+    std::string unknown_keys_;
 };
 
 }

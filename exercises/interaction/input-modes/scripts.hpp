@@ -66,6 +66,10 @@ inline constexpr const char* queued_hand = R"(
 0.65 release right
 0.70 move -20 -30.5
 0.75 move -20.25 500
+0.76 move 1234.1 768.3      # in double the change is exact
+0.77 move 1234.8 769.9
+0.78 move 3000.7 -1100.2
+0.79 move 3001.1 -1100.6
 0.80 key LEFT_SHIFT release
 0.85 release left
 0.90 key A release
