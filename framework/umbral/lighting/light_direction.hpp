@@ -16,7 +16,7 @@ struct LightAngles {
 };
 
 /// The unit vector towards the light, (cos β sin α, sin β, cos β cos α), for all finite angles. Guarantee of the
-/// reference: each component within 1e-7, for angles up to 10⁷ degrees. Course: lab 4, light sources (0 and 0 is +z).
+/// reference: each component within 1e-7. Course: lab 4, light sources (0 and 0 is +z).
 [[nodiscard]] glm::vec3 light_direction(const LightAngles& angles);
 
 /// The angles of a direction of any length: the longitude in [0, 360), the latitude in [-90, 90]. Straight up or down
