@@ -181,33 +181,40 @@ void record_sun(Recorder& out)
                 out.append("sun", picture.contains(x, y) ? picture.at(x, y)[channel] : not_a_number);
 }
 
-// Small pictures of light that changes fast within a pixel, so that each sample counts; in every second one it is 0
-// along many rays, for some or all channels.
+// A small picture of light that changes fast within a pixel, so that each sample counts; or, `with_dark`, is 0 along
+// many rays, for some or all channels. `kind`: width, height and n.
+void record_waves(Recorder& out, const PrimaryCamera& camera, const glm::ivec3& kind, const glm::vec3& waves,
+                  bool with_dark)
+{
+    std::uint32_t asked = 0;
+    const LightAlongRay light_along = [&](const Ray& ray) {
+        ++asked;
+        const glm::vec3 d = ray.direction + 0.1F * (ray.origin - camera.eye);
+        if (with_dark) return 4.0F * max(glm::vec3(0), sin(glm::vec3(0, 0.5F, 1) + dot(waves, d)));
+        return glm::vec3(4 + 4 * std::sin(dot(waves, d)), 0.5F + 0.5F * d.x, std::exp(2 * d.y));
+    };
+    ask_in_words(out, [&] {
+        return "render_picture(camera, " + std::to_string(kind.x) + ", " + std::to_string(kind.y) + ", " +
+               std::to_string(kind.z) + (with_dark ? ", waves with darkness between them)" : ", waves)");
+    });
+    const Grid<glm::vec3> picture = render_picture(camera, kind.x, kind.y, kind.z, light_along);
+    out.append("size", glm::vec2(picture.width, picture.height));
+    out.append("rays", asked);
+    for (int y = 0; y < kind.y; ++y)
+        for (int x = 0; x < kind.x; ++x)
+            out.append("light", picture.contains(x, y) ? picture.at(x, y) : glm::vec3(not_a_number));
+}
+
+// Each camera is asked again with other light, and with other samples of the same.
 void record_rendered(Random& random, Recorder& out)
 {
-    const glm::ivec3 kinds[] = {{1, 1, 1}, {5, 3, 1}, {3, 4, 2}, {4, 2, 3}, {2, 2, 5}, {6, 1, 4}, {1, 2, 9}, {3, 3, 2}};
-    bool with_dark = true;
+    const glm::ivec3 kinds[] = {{1, 1, 1}, {5, 3, 1}, {3, 4, 2}, {4, 2, 3}, {2, 2, 5}, {6, 1, 4}, {1, 2, 9}};
     for (const glm::ivec3& kind : kinds) {
         const PrimaryCamera camera = random_camera(random, 2.0F * random.in_cube(), 3);
+        record_waves(out, camera, kind, 25.0F * random.unit_vector(), false);
         const glm::vec3 waves = 25.0F * random.unit_vector();
-        std::uint32_t asked = 0;
-        with_dark = !with_dark;
-        const LightAlongRay light_along = [&](const Ray& ray) {
-            ++asked;
-            const glm::vec3 d = ray.direction + 0.1F * (ray.origin - camera.eye);
-            if (with_dark) return 4.0F * max(glm::vec3(0), sin(glm::vec3(0, 0.5F, 1) + dot(waves, d)));
-            return glm::vec3(4 + 4 * std::sin(dot(waves, d)), 0.5F + 0.5F * d.x, std::exp(2 * d.y));
-        };
-        ask_in_words(out, [&] {
-            return "render_picture(camera, " + std::to_string(kind.x) + ", " + std::to_string(kind.y) + ", " +
-                   std::to_string(kind.z) + ", waves)";
-        });
-        const Grid<glm::vec3> picture = render_picture(camera, kind.x, kind.y, kind.z, light_along);
-        out.append("size", glm::vec2(picture.width, picture.height));
-        out.append("rays", asked);
-        for (int y = 0; y < kind.y; ++y)
-            for (int x = 0; x < kind.x; ++x)
-                out.append("light", picture.contains(x, y) ? picture.at(x, y) : glm::vec3(not_a_number));
+        record_waves(out, camera, kind, waves, true);
+        record_waves(out, camera, kind + glm::ivec3(0, 0, 1), waves, true);
     }
     record_sun(out);
 }
