@@ -56,20 +56,24 @@ void record_written_queue(Case& what, Recorder& out, const char* text, double st
     record_queue(out, varied(what.vary, text, any_hand), step, at_a_time);
 }
 
-/// Buttons were pressed, and the cursor left the window, before anybody listened.
+/// Buttons were pressed, and the cursor left the window, before anybody listened; in the next window it is other ones,
+/// elsewhere.
 void record_late_beginning(Case& what, Recorder& out)
 {
-    name_events(out, "events");
-    InputTrial trial(out, varied(what.vary,
-                                 "0.1 move 200 100\n0.2 press right\n0.22 press left\n0.25 press 8\n"
-                                 "0.3 press 6 -210.5 -90.25\n0.5 move 220 85\n0.55 release left\n"
-                                 "0.6 press middle\n0.65 release 8\n0.7 release right\n0.8 scroll 1 0\n",
-                                 {.buttons = true}));
-    trial.pass(0.4);
-    trial.install();
-    trial.pass(0.75);
-    trial.take(all_events);
-    trial.sample();
+    name_events(out, "events", true);
+    int session = 0;
+    for (const char* const script :
+         {"0.1 move 200 100\n0.2 press right\n0.22 press left\n0.25 press 8\n0.3 press 6 -210.5 -90.25\n"
+          "0.5 move 220 85\n0.55 release left\n0.6 press middle\n0.65 release 8\n0.7 release right\n0.8 scroll 1 0\n",
+          "0.1 move 310.5 20\n0.2 press middle\n0.3 press 5 330 12.25\n0.5 scroll 0 1\n0.6 move 300 40\n"
+          "0.65 release 5\n0.7 press right\n"}) {
+        InputTrial trial(out, varied(what.vary, script, {.buttons = true}), ++session);
+        trial.pass(0.4);
+        trial.install();
+        trial.pass(0.75);
+        trial.take(all_events);
+        trial.sample();
+    }
 }
 
 /// One window ends with buttons down and events that nobody took; the next one knows nothing of it.
