@@ -137,7 +137,9 @@ void expect_the_same_of_other_inputs(Worker& worker, const Exercise& exercise, c
         CheckResult& found = result.checks[one.check];
         before += found.score;
         now += one.held ? found.score : one.best;
-        if (!one.held) take_away(found, one.best, "not with others");
+        if (one.held) continue;
+        take_away(found, one.best, "not with others");
+        found.message += " (umbral check --attempt 1, 2, ... asks others)";
     }
     // Who wrote down most of the answers that could be told apart is not believed about the others.
     if (believed_part * now >= before) return;
