@@ -71,7 +71,8 @@ inline std::vector<std::shared_ptr<const SurfaceMaterial>> made(const std::vecto
 }
 
 /// Four materials, and nodes whose right picture follows by hand: a material that is changed within a node, one that
-/// ends with its node, a node that has none of its own, entered below two, one that ends with a transformation.
+/// ends with its node, a node that has none of its own, entered below two, ones that end with
+/// a transformation and with a material.
 inline MaterialGraph graph_by_hand()
 {
     MaterialGraph graph;
@@ -81,6 +82,9 @@ inline MaterialGraph graph_by_hand()
                     {Kind::object, 11},
                     {Kind::node, 1},
                     {Kind::object, 12},
+                    {Kind::material, 3},
+                    {Kind::object, 14},
+                    {Kind::material, 1},
                     {Kind::node, 2},
                     {Kind::material, 2},
                     {Kind::node, 2},
@@ -92,7 +96,8 @@ inline MaterialGraph graph_by_hand()
                     {Kind::material, 3},
                     {Kind::object, 22},
                     {Kind::transformation, 1},
-                    {Kind::object, 23}},
+                    {Kind::object, 23},
+                    {Kind::material, 0}},
                    {{Kind::object, 30}, {Kind::transformation, 1}, {Kind::node, 3}, {Kind::object, 31}},
                    {{Kind::material, 0}, {Kind::object, 40}, {Kind::transformation, 0}}};
     return graph;
