@@ -45,7 +45,8 @@ struct Layer {
 ///
 /// That float may be 2 ulp off, as when k is multiplied by 1 / (2^b - 1) in float, but all depths of one k give the
 /// same one, and what is kept already stays as it is; with 24 bits only below 1/4, since 2 ulp are a step above that.
-/// (Different k give different floats, with 24 bits too.) The tie at 1/2 goes up. Float keeps a depth in [0, 1] as it is.
+/// (Different k give different floats, with 24 bits too.) The tie at 1/2 goes up. Float keeps a depth in [0, 1] as it
+/// is.
 [[nodiscard]] float stored_depth(DepthFormat format, float depth);
 
 /// Tests fragments in their order: removes those that fail, keeps the others in order, and stores the depths of those
