@@ -19,7 +19,8 @@ inline std::vector<LoopSession> loop_sessions_for_hands(const NamedLoop& loop)
     for (const auto& list : {waits ? needs() : motions(), endings(), waits ? refinements() : switches()})
         for (LoopSession session : list) {
             input::EventScript script;
-            bool playable = session.script.size() < 20;
+            // A hidden window has no keyboard.
+            bool playable = session.script.size() < 20 && !session.hides;
             for (const auto& [time, event] : session.script) {
                 const auto* const key = std::get_if<input::Key>(&event);
                 playable = playable && (key != nullptr || std::holds_alternative<input::CursorMove>(event));

@@ -101,10 +101,12 @@ try {
     for (const NamedLoop& loop : {waiting_loop, animated_loop, switching_loop})
         for (const LoopSession& session : loop_sessions_for_hands(loop)) {
             LoggedProgram program(session.flags, session.habits);
+            program.escape_ends = session.habits.escape_ends;
             begin(session.script, 1.0 / 64, [&] { program.shown(); });
             program.listen(window);
             if (session.closes) glfwSetWindowShouldClose(window, GLFW_TRUE);
             loop.run(window, program, program.flags);
+            program.closing = glfwWindowShouldClose(window) == GLFW_TRUE;
             program.returned();
             print_rows(loop, program.rows);
             glfwSetWindowUserPointer(window, nullptr);
