@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -34,7 +35,7 @@ namespace fs = std::filesystem;
 std::string content_key(const Toolchain& tools, const Exercise& exercise, const Sources& files)
 {
     const fs::path header = tools.student_header.string() + ".gch";
-    std::string all = fmt::format("11\n{}\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.digest, exercise.gl,
+    std::string all = fmt::format("12\n{}\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.digest, exercise.gl,
                                   exercise.gl_calls, exercise.glfw, exercise.counts_work, tools.compiler,
                                   fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
     all += fmt::format("{} {}\n", fs::file_size(header), fs::last_write_time(header).time_since_epoch().count());
@@ -57,6 +58,7 @@ std::optional<Built> kept(const fs::path& folder)
         built.verdict = verdict_from(json.at("verdict").get<std::string>());
         built.message = json.at("message").get<std::string>();
         built.compile_seconds = json.at("compile_seconds").get<double>();
+        built.keeps_nothing = json.at("keeps_nothing").get<bool>();
         if (built.verdict != Verdict::ok) return built;
         built.library = folder / "student.so";
         std::error_code missing;
@@ -72,8 +74,10 @@ Built keep(const Built& built, const fs::path& work, const fs::path& folder)
 {
     for (const auto& entry : fs::directory_iterator(work))
         if (entry.path().filename() != "student.so") fs::remove_all(entry.path());
-    nlohmann::json json = {
-        {"verdict", to_string(built.verdict)}, {"message", built.message}, {"compile_seconds", built.compile_seconds}};
+    nlohmann::json json = {{"verdict", to_string(built.verdict)},
+                           {"message", built.message},
+                           {"compile_seconds", built.compile_seconds},
+                           {"keeps_nothing", built.keeps_nothing}};
     if (built.verdict == Verdict::ok) json["bytes"] = fs::file_size(work / "student.so");
     std::ofstream(work / "result.json") << json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
     fs::create_directories(folder.parent_path());
@@ -157,6 +161,18 @@ void prune_now_and_then(const Toolchain& tools)
     if (builds++ % builds_between == 0) prune_builds(tools.cache, tools.cache_bytes);
 }
 
+/// Has the library nowhere to keep something from one call to the next? Not in variables of its own, nor in those of
+/// the C library's functions that remember.
+bool has_nowhere_to_keep(const Inspection& inspection)
+{
+    const auto remembers = [](const InspectedSymbol& symbol) {
+        constexpr std::array words{"rand", "48", "state", "strtok"};
+        return std::ranges::any_of(words,
+                                   [&](const char* word) { return symbol.name.find(word) != std::string::npos; });
+    };
+    return inspection.own_memory == 0 && std::ranges::none_of(inspection.undefined, remembers);
+}
+
 /// Sets the verdict on a library by what is in it. False if it could not be read.
 bool look_at(const Toolchain& tools, const Exercise& exercise, const fs::path& library, Built& built)
 {
@@ -171,6 +187,7 @@ bool look_at(const Toolchain& tools, const Exercise& exercise, const fs::path& l
     const auto objection = object_to(*inspection, offered_to(tools, exercise), exercise);
     built.verdict = objection ? objection->verdict : Verdict::ok;
     if (objection) built.message = printable(objection->message, caps::message);
+    built.keeps_nothing = has_nowhere_to_keep(*inspection);
     return true;
 }
 

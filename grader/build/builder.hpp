@@ -21,6 +21,7 @@ struct Built {
     Sources sources;                          ///< the texts that are not C++, for the run
     Sources files;                            ///< all that it was built from; empty of an adopted library
     FreshMemory fresh_memory = FreshMemory::nonsense;  ///< in its runs
+    bool keeps_nothing = false;  ///< it has no variables in which a call could leave something for the next one
     std::string mistake;  ///< the unit's known mistake that it is, whose runs serve explanations too; empty for none
     double compile_seconds = 0;            ///< of processor time that it took to compile, when that was
     std::shared_ptr<UnitBudget> budget{};  ///< for what is compiled of the files later: with_zeros.hpp

@@ -45,6 +45,7 @@ std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem:
     for (const auto& one : json.at("functions"))
         inspection.functions.push_back({one.at(0), one.at(1), one.at(2), one.at(3), one.at(4)});
     inspection.uncounted = json.at("uncounted");
+    inspection.own_memory = json.at("own_memory");
     return inspection;
 }
 

@@ -33,6 +33,7 @@ struct Inspection {
     std::vector<InspectedFunction> functions;  ///< of its debug information
     std::vector<std::string>
         uncounted;  ///< functions, as C++ writes them, and other reasons why its work would not be counted as a whole
+    std::uint64_t own_memory = 1;  ///< bytes of its static and global variables
 };
 
 /// Reads `library`, which is to define the names listed in the file `interface_names` (mangled, one a line). Nothing if

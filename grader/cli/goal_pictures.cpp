@@ -17,7 +17,7 @@ void draw_goal_pictures(const Application& application, const std::vector<Exerci
     keep_runs_as_checks_do(crew, exercises);
     crew.share_out(exercises.size(), [&](Worker& worker, std::size_t unit) {
         draw(worker, unit);
-        worker.forget_if_full();
+        worker.let_go();
     });
 }
 

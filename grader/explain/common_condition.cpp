@@ -16,6 +16,7 @@ constexpr std::size_t least_of_fixed = 6;  ///< questions on either side, where 
 constexpr std::size_t enough_answers = 200;
 constexpr std::size_t most_in_vector = 4;
 constexpr std::size_t least_confirmed = 2;  ///< sets of fresh inputs with wrong answers
+constexpr double most_common_seconds = 3;   ///< of one check, for fresh inputs
 
 bool has_both(const std::vector<bool>& wrong, std::size_t least)
 {
@@ -120,10 +121,14 @@ std::string common_answer(Samples& samples)
 
 }
 
-InCommon find_in_common(Worker& worker, const AskedCheck& asked)
+InCommon find_in_common(Worker& worker, const AskedCheck& asked, SpareTime& time)
 {
-    Samples samples(worker, asked);
-    return {common_condition(samples), common_answer(samples)};
+    if (!time.is_left()) return {};
+    const double before = worker.run_seconds();
+    Samples samples(worker, asked, std::min(time.left(), most_common_seconds));
+    InCommon found{common_condition(samples), common_answer(samples)};
+    time.spend(worker.run_seconds() - before);
+    return found;
 }
 
 std::string sentence_of(const InCommon& common)

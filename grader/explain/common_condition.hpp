@@ -6,6 +6,7 @@
 #include "explain/asked_answers.hpp"
 #include "explain/asked_sample.hpp"
 #include "question/conditions.hpp"
+#include "worker/spare_time.hpp"
 
 namespace umbral::grader {
 
@@ -23,8 +24,9 @@ struct InCommon {
 };
 
 /// Holds only what is so on fresh inputs too, or where there can be no others. Of a hidden case only fresh inputs are
-/// asked, which are the same for everybody: nothing is told of those that were graded.
-[[nodiscard]] InCommon find_in_common(Worker& worker, const AskedCheck& asked);
+/// asked, which are the same for everybody: nothing is told of those that were graded. Takes as much of `time`, which
+/// all checks of a unit share, as its runs need; nothing where none is left.
+[[nodiscard]] InCommon find_in_common(Worker& worker, const AskedCheck& asked, SpareTime& time);
 
 /// "wrong wherever ray.t_min is positive (50 of 50), right everywhere else (350 of 350); every wrong answer is always
 /// 0". Empty if there is neither.

@@ -18,4 +18,9 @@ struct PracticeExample {
 /// them, and of pictures, whose single pixels show nothing. The student's code may be run again.
 [[nodiscard]] std::optional<PracticeExample> practice_example(Worker& worker, const AskedCheck& asked);
 
+/// Of each hidden case of which a picture is wrong: the work's run with the first practice inputs with which it is
+/// wrong there too. Students are shown it in place of the picture that was graded.
+[[nodiscard]] CaseResults practice_pictures(Worker& worker, const Exercise& exercise, const Built& built,
+                                            const CaseResults& cases, const UnitResult& result);
+
 }

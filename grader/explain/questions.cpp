@@ -14,9 +14,14 @@
 #include "explain/question_code.hpp"
 #include "explain/simplest_question.hpp"
 #include "question/log.hpp"
+#include "report/failing_order.hpp"
+#include "worker/spare_time.hpp"
 
 namespace umbral::grader {
 namespace {
+
+/// What wrong answers share is looked for in all checks of a unit together for so long: it is said of one or two.
+constexpr double most_pattern_seconds = 6;
 
 bool fails(const Check& check, const CheckResult& result) { return result.score < check.points; }
 
@@ -54,7 +59,8 @@ public:
 
     [[nodiscard]] bool known() const { return !log_.rows.empty() || !log_.wholes.empty(); }
 
-    void add(const Check& check, CheckResult& result, html::UnitDetail* detail, const std::string& headers)
+    void add(const Check& check, CheckResult& result, html::UnitDetail* detail, const std::string& headers,
+             SpareTime& patterns)
     {
         const RunOutcome& run = worker_.trusted(exercise_, judged_against(check), case_, one_.seed);
         const Tensor* expected = tensor_of(run, check.value);
@@ -88,7 +94,7 @@ public:
             }
         // What wrong answers share says nothing of the cause then.
         std::string& shared = one_.hidden ? result.practice : result.common;
-        shared = alone ? right_alone : sentence_of(find_in_common(worker_, asked));
+        shared = alone ? right_alone : sentence_of(find_in_common(worker_, asked, patterns));
     }
 
     /// Asks for the code of all that is shown.
@@ -122,22 +128,46 @@ private:
     std::vector<Shown> shown_;
 };
 
+/// A case that ran to its end, and those of its checks that fail, in the order in which they are shown.
+struct WrongCase {
+    const CaseResults::value_type* ran;
+    std::vector<std::size_t> checks;
+};
+
+/// The one whose check is shown first in front: it has most of the time.
+std::vector<WrongCase> wrong_cases(const Exercise& exercise, const CaseResults& cases, const UnitResult& result)
+{
+    const auto order = [&](std::size_t i) {
+        return std::pair(exercise.checks[i].hidden, failing_order(&result.checks[i]));
+    };
+    std::vector<WrongCase> failing;
+    for (const auto& ran : cases) {
+        if (!ran.second.trouble().empty()) continue;
+        WrongCase of_case{&ran, {}};
+        for (std::size_t i = 0; i < exercise.checks.size(); ++i)
+            if (exercise.checks[i].case_name == ran.first && fails(exercise.checks[i], result.checks[i]))
+                of_case.checks.push_back(i);
+        std::ranges::stable_sort(of_case.checks, {}, order);
+        if (!of_case.checks.empty()) failing.push_back(std::move(of_case));
+    }
+    std::ranges::stable_sort(failing, {}, [&](const WrongCase& one) { return order(one.checks.front()); });
+    return failing;
+}
+
 }
 
 void add_questions(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases,
                    UnitResult& result, html::UnitDetail* detail)
 {
     const std::string headers = interface_text(worker, exercise);
-    for (const auto& [name, one] : cases) {
-        if (!one.trouble().empty()) continue;
-        std::vector<std::size_t> failing;
-        for (std::size_t i = 0; i < exercise.checks.size(); ++i)
-            if (exercise.checks[i].case_name == name && fails(exercise.checks[i], result.checks[i]))
-                failing.push_back(i);
-        if (failing.empty()) continue;
+    SpareTime patterns;
+    patterns.allow(most_pattern_seconds);
+    for (const WrongCase& failing : wrong_cases(exercise, cases, result)) {
+        const auto& [name, one] = *failing.ran;
         CaseQuestions questions(worker, exercise, built, one, name);
         if (!questions.known()) continue;
-        for (const std::size_t i : failing) questions.add(exercise.checks[i], result.checks[i], detail, headers);
+        for (const std::size_t i : failing.checks)
+            questions.add(exercise.checks[i], result.checks[i], detail, headers, patterns);
         questions.write();
     }
     add_simplest_question(worker, exercise, built, cases, result);

@@ -4,14 +4,13 @@
 #include <umbral/record/variation.hpp>
 #include <vector>
 
-#include "model/digest.hpp"
+#include "worker/seeds.hpp"
 
 namespace umbral::grader {
 namespace {
 
-constexpr std::size_t enough_wrong = 8;   ///< answers in which something can be looked for
-constexpr std::size_t most_added = 3;     ///< sets of other inputs
-constexpr double most_fresh_seconds = 3;  ///< for fresh sets
+constexpr std::size_t enough_wrong = 8;  ///< answers in which something can be looked for
+constexpr std::size_t most_added = 3;    ///< sets of other inputs
 
 }
 
@@ -27,10 +26,8 @@ std::size_t wrong_in(const AnswerTable& table)
 
 std::uint64_t input_seed(const AskedCheck& asked, std::size_t place)
 {
-    const std::uint64_t first = asked.result.hidden
-                                    ? case_seed("practice", "", "", asked.exercise.id, asked.check.case_name, 0)
-                                    : asked.result.seed;
-    return first ^ (place * 0x9E3779B97F4A7C15U);
+    return asked.result.hidden ? practice_seed(asked.exercise, asked.check.case_name, place)
+                               : seed_at(asked.result.seed, place);
 }
 
 double Samples::seconds_of_a_set() const
@@ -46,8 +43,11 @@ double Samples::seconds_of_a_set() const
 
 std::size_t Samples::fresh_sets()
 {
-    const double sets = most_fresh_seconds / std::max(seconds_of_a_set(), most_fresh_seconds / most_fresh);
-    return static_cast<std::size_t>(sets);
+    if (!fresh_sets_) {
+        const double sets = seconds_ / std::max(seconds_of_a_set(), 1e-6);
+        fresh_sets_ = static_cast<std::size_t>(std::clamp<double>(sets, 0, most_fresh));
+    }
+    return *fresh_sets_;
 }
 
 AskedSample Samples::others(std::size_t place, const AskedSample& but) const

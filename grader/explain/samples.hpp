@@ -11,17 +11,17 @@ namespace umbral::grader {
 [[nodiscard]] std::size_t wrong_in(const std::vector<bool>& wrong);
 [[nodiscard]] std::size_t wrong_in(const AnswerTable& table);
 
-/// Inputs of a check's case, from 0 on: of a visible one first those that were graded. Of a hidden one none of these
-/// was: all follow from no secret, and are the same for everybody, so that what is said of answers to them tells
-/// nothing about those that were graded.
+/// Inputs of a check's case, from 0 on: of a visible one first those that were graded, of a hidden one practice inputs.
 [[nodiscard]] std::uint64_t input_seed(const AskedCheck& asked, std::size_t place);
 
 /// A check's answers in which something is looked for, and others on which it is confirmed; each found out once, when
 /// first asked for.
 class Samples {
 public:
-    /// Both must live as long.
-    Samples(Worker& worker, const AskedCheck& asked) : worker_(worker), asked_(asked) {}
+    /// Fresh sets take no more than `seconds`. Both others must live as long.
+    Samples(Worker& worker, const AskedCheck& asked, double seconds) : worker_(worker), asked_(asked), seconds_(seconds)
+    {
+    }
 
     /// Where few answers are wrong, with answers to other questions of the case, up to three times as many.
     [[nodiscard]] const AskedSample& seen();
@@ -29,8 +29,8 @@ public:
     /// Does the case ask the same at every desk? Of a hidden one nobody knows: no.
     [[nodiscard]] bool is_fixed();
 
-    /// How many sets of inputs that were not seen may be asked: six, or as many as take a few seconds, what the trusted
-    /// solutions take among them.
+    /// How many sets of inputs that were not seen may be asked: six, or as many as there is time for, what the trusted
+    /// solutions take among it.
     [[nodiscard]] std::size_t fresh_sets();
 
     /// Answers to inputs that were not seen, 1 to fresh_sets(). What is written down in the driver is varied in them:
@@ -46,9 +46,11 @@ private:
 
     Worker& worker_;
     const AskedCheck& asked_;
+    double seconds_;
     std::optional<AskedSample> seen_;
     std::size_t used_ = 1;  ///< places of seeds
     std::optional<bool> fixed_;
+    std::optional<std::size_t> fresh_sets_;
     std::array<std::optional<AskedSample>, most_fresh> fresh_;
 };
 

@@ -13,6 +13,7 @@
 
 #include "inspect/counted_code.hpp"
 #include "inspect/demangle.hpp"
+#include "inspect/own_memory.hpp"
 #include "inspect/units.hpp"
 #include "model/caps.hpp"
 
@@ -231,8 +232,11 @@ std::string names_as_json(Elf* elf, Dwarf* dwarf, const std::vector<std::string>
         undefined.push_back({name, demangled(name.c_str(), caps::name)});
     nlohmann::json used = nlohmann::json::array();
     for (const Function& one : functions.all()) used.push_back({one.name, one.file, one.line, one.column, one.bare});
-    const nlohmann::json json = {
-        {"missing", missing}, {"undefined", undefined}, {"functions", used}, {"uncounted", uncounted_code(elf)}};
+    const nlohmann::json json = {{"missing", missing},
+                                 {"undefined", undefined},
+                                 {"functions", used},
+                                 {"uncounted", uncounted_code(elf)},
+                                 {"own_memory", own_memory(elf)}};
     return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

@@ -49,11 +49,15 @@ struct CheckResult {
                                            ///< `where` says which of its numbers, or nothing
     std::string
         sketch{};  ///< lines of ASCII: what the first bad place looks like; empty where there is nothing to draw
-    std::map<std::string, std::string> artefacts;  ///< "triptych" to a path below the report; not in class.json
+    std::map<std::string, std::string>
+        artefacts;  ///< "triptych", practice_picture to paths below the report; not in class.json
     std::vector<std::uint64_t>
         seeds{};  ///< judged by chance: of its case, and the fresh one if it was run again; not in class.json
     bool borderline = false;  ///< to be run again with a fresh seed; in no file
 };
+
+/// The artefact that students may see of a hidden check: a triptych of practice inputs.
+inline constexpr const char* practice_picture = "practice";
 
 /// Why a result fails, as far as it could be recognised.
 struct Explanation {

@@ -11,9 +11,9 @@ inline constexpr const char* nearly_right =
     "is nearly right: perhaps a number is rounded on the way (float, a constant of few digits), nearly equal ones are "
     "subtracted, or a little is added";
 
-/// Are all these wrong answers the right ones but for little, a hundredth of their largest number at most, in rows that
-/// hold several things of each number? Of codes and counts, which are whole, none is nearly right. Answers must have as
-/// many numbers as the right ones, all finite.
+/// Are all these wrong answers the right ones but for little: a hundredth of the largest number of the vector, or of
+/// the matrix's column, and of each number itself in rows that hold different things? Of codes and counts, which are
+/// whole, none is nearly right. Answers must have as many numbers as the right ones, all finite.
 [[nodiscard]] bool are_nearly_right(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong);
 
 }

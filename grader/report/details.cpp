@@ -170,6 +170,9 @@ void add_others(Block& block, const UnitResult& unit, const std::vector<const Ch
     const auto example =
         std::ranges::find_if(hidden, [](const CheckResult* one) { return one->practice_example.has_value(); });
     if (example != hidden.end()) add_other_question(block, "practice", *(*example)->practice_example, paint);
+    for (const CheckResult* one : hidden)
+        if (const auto picture = one->artefacts.find(practice_picture); picture != one->artefacts.end())
+            block.sentence("practice", picture->second);
 }
 
 /// What makes `umbral debug` stop at the call behind a check's first wrong value.

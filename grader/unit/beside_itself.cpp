@@ -30,12 +30,20 @@ std::vector<std::size_t> checks_of(const Exercise& exercise, const std::string& 
     return places;
 }
 
+/// A check that was all right has earned so much beside others, for the reason that is told.
+void mark_beside(CheckResult& check, Millipoints earned, const char* why)
+{
+    check.score = std::max(earned, check.max_score * kept_of_ten / 10);
+    check.beside = true;
+    check.common = why;
+}
+
 }
 
 void expect_the_same_beside_others(Worker& worker, const Exercise& exercise, const Built& built, CaseResults& cases,
                                    const GradeOptions& options, UnitResult& result)
 {
-    if (!exercise.is_cpp() || exercise.gl_calls || exercise.glfw) return;
+    if (!exercise.is_cpp() || exercise.gl_calls || exercise.glfw || built.keeps_nothing) return;
     for (auto& [name, one] : cases) {
         if (one.hidden || !one.reached || one.student.verdict != Verdict::ok || one.student.wall_seconds > most_seconds)
             continue;
@@ -47,14 +55,8 @@ void expect_the_same_beside_others(Worker& worker, const Exercise& exercise, con
         const auto ask = [&] { return worker.run_beside(exercise, built, name, one.seed, other); };
         RunOutcome run = ask();
         // It has as much stack and memory as before: what crashes then, and twice, does so for what it kept.
-        if (run.verdict == Verdict::crashed && ask().verdict == Verdict::crashed) {
-            for (const std::size_t i : places) {
-                CheckResult& found = result.checks[i];
-                found.score = found.score * kept_of_ten / 10;
-                found.beside = true;
-                found.common = crashes_beside_others;
-            }
-        }
+        if (run.verdict == Verdict::crashed && ask().verdict == Verdict::crashed)
+            for (const std::size_t i : places) mark_beside(result.checks[i], 0, crashes_beside_others);
         if (run.verdict != Verdict::ok) continue;
         std::swap(one.student, run);  // judged in its place, and put back if all is right
         for (const std::size_t i : places) {
@@ -63,10 +65,8 @@ void expect_the_same_beside_others(Worker& worker, const Exercise& exercise, con
             const RunOutcome& expected = worker.trusted(exercise, judged_against(check), name, one.seed);
             CheckResult found = judge_check(check, one, expected, worker.basis(exercise, check, one.seed));
             if (found.score >= before.score) continue;
-            found.score = std::max(found.score, before.score * kept_of_ten / 10);
-            found.beside = true;
-            found.common = right_without_others;
             before = std::move(found);
+            mark_beside(before, before.score, right_without_others);
             one.beside = true;
         }
         if (!one.beside) one.student = std::move(run);

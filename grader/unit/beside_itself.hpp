@@ -13,8 +13,8 @@ namespace umbral::grader {
 ///
 /// Where it crashes then, twice, the case keeps those eight tenths; in `cases` its first run remains. A run that does
 /// not end, or needs too much memory, proves nothing and changes nothing. Work that is counted or judged by chance is
-/// left alone, and so are cases that draw, and units that call OpenGL or answer events: a context and a window are
-/// there once. Takes spare time.
+/// left alone, and so are builds that have nowhere to keep anything, cases that draw, and units that call OpenGL or
+/// answer events: a context and a window are there once. Takes spare time.
 void expect_the_same_beside_others(Worker& worker, const Exercise& exercise, const Built& built, CaseResults& cases,
                                    const GradeOptions& options, UnitResult& result);
 

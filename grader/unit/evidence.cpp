@@ -61,32 +61,55 @@ html::UnitDetail describe(const Exercise& exercise)
     return unit;
 }
 
-void add_evidence(Worker& worker, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options,
-                  const UnitResult& result, html::UnitDetail& unit)
+namespace {
+
+/// The places of checks in the order in which a page shows them: where there are too many pictures, buffers come before
+/// colours. Hidden ones come last: what a student sees of the others must not depend on them.
+std::vector<std::size_t> page_order(const Exercise& exercise)
 {
-    bool one_shown = false;
-    int pictures = 0;
-    // In the order in which a page shows them: where there are too many pictures, buffers come before colours.
     std::vector<std::size_t> order(exercise.checks.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    // Hidden ones come last: what a student sees of the others must not depend on them.
     std::ranges::stable_sort(order, {}, [&](std::size_t i) {
         return std::pair(exercise.checks[i].hidden, judge_of(exercise.checks[i]).place);
     });
-    for (const std::size_t i : order) {
+    return order;
+}
+
+/// What there is to see of a check in one run of its case.
+Evidence seen_in(Worker& worker, const Exercise& exercise, const Check& check, const CaseResult& one,
+                 const std::string& sketch, bool right)
+{
+    const RunOutcome& expected = worker.trusted(exercise, judged_against(check), check.case_name, one.seed);
+    const ExpectedSide side = expected_side(check, one.student, expected);
+    const auto [value, margin, names] = expected_of(check, expected);
+    Evidence evidence =
+        evidence_of(check, {observed(check, one.student), side.tensor.get(), margin, names, sketch}, right);
+    if (auto* picture = std::get_if<PictureEvidence>(&evidence)) picture->expected_side = side.words;
+    return evidence;
+}
+
+}
+
+void add_evidence(Worker& worker, const Exercise& exercise, const CaseResults& cases, const CaseResults& practice,
+                  const GradeOptions& options, const UnitResult& result, html::UnitDetail& unit)
+{
+    bool one_shown = false;
+    int pictures = 0;
+    int of_practice_shown = 0;
+    for (const std::size_t i : page_order(exercise)) {
         const Check& check = exercise.checks[i];
         const CaseResult& one = cases.at(check.case_name);
         const bool right = result.checks[i].score >= check.points;
+        if (check.hidden && is_picture(check) && !right && of_practice_shown < most_pictures)
+            if (const auto drawn = practice.find(check.case_name); drawn != practice.end()) {
+                unit.practice[check.name] = {.evidence = seen_in(worker, exercise, check, drawn->second, "", false),
+                                             .practice = true};
+                ++of_practice_shown;
+            }
         if (is_picture(check) && pictures == most_pictures) continue;
         const bool of_interest = !right || (is_picture(check) && !one_shown && result.verdict == Verdict::ok);
         if (!of_interest || (check.hidden && !options.show_hidden) || !one.trouble().empty()) continue;
-        const RunOutcome& expected = worker.trusted(exercise, judged_against(check), check.case_name, one.seed);
-        const ExpectedSide side = expected_side(check, one.student, expected);
-        const auto [value, margin, names] = expected_of(check, expected);
-        const Observation observation{observed(check, one.student), side.tensor.get(), margin, names,
-                                      result.checks[i].sketch};
-        Evidence evidence = evidence_of(check, observation, right);
-        if (auto* picture = std::get_if<PictureEvidence>(&evidence)) picture->expected_side = side.words;
+        Evidence evidence = seen_in(worker, exercise, check, one, result.checks[i].sketch, right);
         if (is_picture(check)) ++pictures;
         one_shown = one_shown || (right && !std::holds_alternative<std::monostate>(evidence));
         unit.checks[check.name].evidence = std::move(evidence);

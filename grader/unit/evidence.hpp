@@ -16,8 +16,8 @@ namespace umbral::grader {
 [[nodiscard]] html::CheckDetail describe(const Check& check);
 
 /// Adds evidence to a unit's details: for every check that fails, and for one picture of a unit that is right. Hidden
-/// checks are left out unless the options ask for them.
-void add_evidence(Worker& worker, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options,
-                  const UnitResult& result, html::UnitDetail& unit);
+/// checks are left out unless the options ask for them; of their pictures students see `practice` instead.
+void add_evidence(Worker& worker, const Exercise& exercise, const CaseResults& cases, const CaseResults& practice,
+                  const GradeOptions& options, const UnitResult& result, html::UnitDetail& unit);
 
 }

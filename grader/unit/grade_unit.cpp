@@ -8,6 +8,7 @@
 #include <umbral/core/random.hpp>
 
 #include "explain/explain_unit.hpp"
+#include "explain/practice_example.hpp"
 #include "explain/questions.hpp"
 #include "explain/unset_values.hpp"
 #include "model/caps.hpp"
@@ -173,8 +174,11 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
             }
         });
     beside_the_grade(result, [&] { result.curve = curve_of(worker, exercise, result, cases); });
-    if (!options.artefacts.empty()) save_pictures(worker, exercise, cases, options, result);
-    if (detail != nullptr) add_evidence(worker, exercise, cases, options, result, *detail);
+    CaseResults practice;
+    if (explains && (detail != nullptr || !options.artefacts.empty()))
+        beside_the_grade(result, [&] { practice = practice_pictures(worker, exercise, built, cases, result); });
+    if (!options.artefacts.empty()) save_pictures(worker, exercise, cases, practice, options, result);
+    if (detail != nullptr) add_evidence(worker, exercise, cases, practice, options, result, *detail);
     if (explains && options.questions)
         beside_the_grade(result, [&] {
             add_questions(worker, exercise, built, cases, result, detail);
@@ -189,7 +193,7 @@ UnitResult guarded(Worker& worker, const Exercise& exercise, const GradeOptions&
 {
     UnitResult result;
     try {
-        worker.forget_if_full();
+        worker.let_go();
         result = grade();
     } catch (const std::exception& fault) {
         result = grader_fault(exercise, fault.what());

@@ -12,28 +12,43 @@
 
 namespace umbral::grader {
 
-void save_pictures(Worker& worker, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options,
-                   UnitResult& result)
+namespace {
+
+/// Yours, reference and difference of a check's picture in one file; its path in the report. Nothing if there is no
+/// picture on both sides. Throws what writing throws.
+std::optional<std::string> saved_triptych(Worker& worker, const Exercise& exercise, const Check& check,
+                                          const CaseResult& one, const GradeOptions& options)
+{
+    const Tensor* student = tensor_of(one.student, check.value);
+    const ExpectedSide expected =
+        expected_side(check, one.student, worker.trusted(exercise, judged_against(check), check.case_name, one.seed));
+    if (student == nullptr || expected.tensor == nullptr || !can_be_drawn(check, *expected.tensor)) return std::nullopt;
+    make_artefact_folder(options.artefacts);
+    const std::filesystem::path file = options.artefacts / artefact_name(exercise, check, ".png");
+    write_png(file, triptych(to_image(*student, check), to_image(*expected.tensor, check), expected.words,
+                             judge_of(check).look == Look::light ? check.judge : image_kind()));
+    return std::filesystem::relative(file, options.relative_to).string();
+}
+
+}
+
+void save_pictures(Worker& worker, const Exercise& exercise, const CaseResults& cases, const CaseResults& practice,
+                   const GradeOptions& options, UnitResult& result)
 {
     bool one_saved = false;
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
-        const CaseResult& one = cases.at(check.case_name);
+        const auto found = (check.hidden ? practice : cases).find(check.case_name);
         const bool failing = result.checks[i].score < check.points;
-        if (!is_picture(check) || check.hidden || !one.trouble().empty() ||
-            (!failing && (one_saved || result.verdict != Verdict::ok)))
+        if (!is_picture(check) || found == (check.hidden ? practice : cases).end() ||
+            !found->second.trouble().empty() ||
+            (!failing && (one_saved || check.hidden || result.verdict != Verdict::ok)))
             continue;
-        const Tensor* student = tensor_of(one.student, check.value);
-        const ExpectedSide expected = expected_side(
-            check, one.student, worker.trusted(exercise, judged_against(check), check.case_name, one.seed));
-        if (student == nullptr || expected.tensor == nullptr || !can_be_drawn(check, *expected.tensor)) continue;
         try {
-            make_artefact_folder(options.artefacts);
-            const std::filesystem::path file = options.artefacts / artefact_name(exercise, check, ".png");
-            write_png(file, triptych(to_image(*student, check), to_image(*expected.tensor, check), expected.words,
-                                     judge_of(check).look == Look::light ? check.judge : image_kind()));
-            result.checks[i].artefacts["triptych"] = std::filesystem::relative(file, options.relative_to).string();
-            one_saved = true;
+            if (auto path = saved_triptych(worker, exercise, check, found->second, options)) {
+                result.checks[i].artefacts[check.hidden ? practice_picture : "triptych"] = *std::move(path);
+                one_saved = true;
+            }
         } catch (const std::exception& error) {
             result.message +=
                 "a picture is missing: " + without_roots(error.what(), std::array{options.relative_to.string()}) + "\n";

@@ -19,6 +19,7 @@ std::vector<Worker*> Crew::workers(std::size_t count)
     while (own_.size() < std::min(count, jobs_)) {
         own_.push_back(std::make_unique<Worker>(*tools_));
         own_.back()->keep_runs(keys_);
+        own_.back()->share_runs(runs_);
     }
     std::vector<Worker*> all;
     for (const auto& worker : own_) all.push_back(worker.get());

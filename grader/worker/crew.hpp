@@ -9,8 +9,8 @@
 
 namespace umbral::grader {
 
-/// Workers that share out tasks. They stay warm from task to task: their spawners run, and they remember the trusted
-/// runs that they have seen.
+/// Workers that share out tasks. They stay warm from task to task: their spawners run, and together they remember the
+/// trusted runs that they have seen.
 class Crew {
 public:
     using Task = std::function<void(Worker&, std::size_t)>;
@@ -37,6 +37,7 @@ private:
     std::size_t jobs_ = 1;
     Worker* only_ = nullptr;
     std::shared_ptr<const UnitKeys> keys_;
+    std::shared_ptr<SharedRuns> runs_ = std::make_shared<SharedRuns>();
     std::vector<std::unique_ptr<Worker>> own_;
 };
 

@@ -62,6 +62,11 @@ std::pair<std::uint64_t, std::uint64_t> SeedPlan::two_seeds_of(const Exercise& e
                                                                               : public_seed_of(exercise, case_name)};
 }
 
+std::uint64_t practice_seed(const Exercise& exercise, const std::string& case_name, std::size_t place)
+{
+    return seed_at(case_seed("practice", "", "", exercise.id, case_name, 0), place);
+}
+
 std::string work_digest(const Sources& files)
 {
     Sha256 hash;

@@ -37,6 +37,15 @@ struct SeedPlan {
                                                                        const std::string& case_name) const;
 };
 
+/// Seeds of practice inputs of a hidden case, from place 0 on: they follow from no secret and are the same for
+/// everybody, so that what is said of answers to them tells nothing about those that are graded.
+[[nodiscard]] std::uint64_t practice_seed(const Exercise& exercise, const std::string& case_name, std::size_t place);
+/// A seed that follows from another, for one more set of inputs of the same kind; itself at place 0.
+[[nodiscard]] constexpr std::uint64_t seed_at(std::uint64_t seed, std::size_t place) noexcept
+{
+    return seed ^ (place * 0x9E3779B97F4A7C15U);
+}
+
 /// SHA-256 over names and texts.
 [[nodiscard]] std::string work_digest(const Sources& files);
 

@@ -23,6 +23,7 @@ public:
         return run;
     }
     [[nodiscard]] bool is_left() const noexcept { return left_ > 0; }
+    [[nodiscard]] double left() const noexcept { return left_; }
 
 private:
     double left_ = 0;

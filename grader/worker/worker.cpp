@@ -21,8 +21,9 @@
 namespace umbral::grader {
 namespace {
 
-/// Enough for the visible cases of a good part of a course; hidden seeds differ by student and push old runs out.
-constexpr std::size_t most_remembered = std::size_t{384} << 20U;
+/// Of questions, which tell more than they take when they are asked again; of runs SharedRuns has its own.
+constexpr std::size_t most_question_bytes = std::size_t{128} << 20U;
+constexpr std::size_t most_bases = 50'000;
 
 std::string key_of(const Exercise& exercise, const std::string& who, const std::string& case_name, std::uint64_t seed)
 {
@@ -58,6 +59,13 @@ Spawner& Worker::spawner(bool gl)
     const char* const program = gl ? "umbral-spawner-gl" : "umbral-spawner";
     if (!wanted) wanted = std::make_unique<Spawner>(tools_.programs / program, gl_backend_);
     return *wanted;
+}
+
+RunOutcome Worker::run_now(const Exercise& exercise, const RunRequest& request)
+{
+    RunOutcome outcome = spawner(exercise.gl).run(request);
+    run_seconds_ += SpareTime::cost_of(outcome);
+    return outcome;
 }
 
 RunRequest Worker::request(const Exercise& exercise, const std::string& case_name, std::uint64_t seed) const
@@ -123,7 +131,7 @@ RunRequest Worker::trusted_request(const Exercise& exercise, Answers solution, c
 RunOutcome Worker::run(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed)
 {
     if (!built.mistake.empty()) return run_known(exercise, "mistakes/" + built.mistake, built.sources, case_name, seed);
-    return spawner(exercise.gl).run(students_request(exercise, built, case_name, seed));
+    return run_now(exercise, students_request(exercise, built, case_name, seed));
 }
 
 RunOutcome Worker::run_past(const Exercise& exercise, const Built& built, const std::string& case_name,
@@ -131,7 +139,7 @@ RunOutcome Worker::run_past(const Exercise& exercise, const Built& built, const 
 {
     RunRequest wanted = students_request(exercise, built, case_name, seed);
     wanted.passed_over = passed_over;
-    return spare_time_.spent_on(spawner(exercise.gl).run(wanted));
+    return spare_time_.spent_on(run_now(exercise, wanted));
 }
 
 RunOutcome Worker::run_limited(const Exercise& exercise, const Built* built, const std::string& case_name,
@@ -140,7 +148,7 @@ RunOutcome Worker::run_limited(const Exercise& exercise, const Built* built, con
     RunRequest wanted = built != nullptr ? students_request(exercise, *built, case_name, seed)
                                          : trusted_request(exercise, Answers::reference, case_name, seed);
     wanted.costs = costs;
-    return spawner(exercise.gl).run(wanted);
+    return run_now(exercise, wanted);
 }
 
 const RunOutcome& Worker::trusted(const Exercise& exercise, Answers solution, const std::string& case_name,
@@ -148,7 +156,7 @@ const RunOutcome& Worker::trusted(const Exercise& exercise, Answers solution, co
 {
     const char* name = to_string(solution);
     return known(exercise, name, case_name, seed, [&] {
-        RunOutcome outcome = spawner(exercise.gl).run(trusted_request(exercise, solution, case_name, seed));
+        RunOutcome outcome = run_now(exercise, trusted_request(exercise, solution, case_name, seed));
         if (outcome.verdict != Verdict::ok)
             throw std::runtime_error(fmt::format("{}: the {} did not finish case '{}' ({}): {}", exercise.id, name,
                                                  case_name, to_string(outcome.verdict), outcome.message));
@@ -162,7 +170,7 @@ RunOutcome Worker::inquire(const Exercise& exercise, Answers solution, const std
     RunRequest wanted = trusted_request(exercise, solution, case_name, seed);
     wanted.inquiry = inquiry;
     if (limits) wanted.limits = *limits;
-    return spawner(exercise.gl).run(wanted);
+    return run_now(exercise, wanted);
 }
 
 const QuestionLog& Worker::questions(const Exercise& exercise, const std::string& case_name, std::uint64_t seed)
@@ -172,7 +180,7 @@ const QuestionLog& Worker::questions(const Exercise& exercise, const std::string
     const RunOutcome told = inquire(exercise, Answers::reference, case_name, seed, {.questions = true});
     QuestionLog log = told.verdict == Verdict::ok ? read_questions(told.recording.tensors) : QuestionLog{};
     for (const QuestionKind& kind : log.kinds)
-        remembered_bytes_ += kind.questions.size() * kind.features.size() * sizeof(double);
+        questions_bytes_ += kind.questions.size() * kind.features.size() * sizeof(double);
     return questions_.emplace(key, std::move(log)).first->second;
 }
 
@@ -191,7 +199,7 @@ RunOutcome Worker::run_told(const Exercise& exercise, const Built& built, const 
     wanted.inquiry.questions = true;
     for (const auto& [name, most] : WantedTensors(wanted.wanted))
         wanted.wanted.emplace(std::string(question_names::rows) + name, most);
-    return spare_time_.spent_on(spawner(exercise.gl).run(wanted));
+    return spare_time_.spent_on(run_now(exercise, wanted));
 }
 
 RunOutcome Worker::run_coarse(const Exercise& exercise, const Built& built, const std::string& case_name,
@@ -203,7 +211,7 @@ RunOutcome Worker::run_coarse(const Exercise& exercise, const Built& built, cons
     for (auto& [value, cells] : wanted.wanted)
         if (const Tensor* tensor = tensor_of(expected, value)) cells = tensor->cells();
     wanted.inquiry.grain = grain;
-    return spare_time_.spent_on(spawner(exercise.gl).run(wanted));
+    return spare_time_.spent_on(run_now(exercise, wanted));
 }
 
 RunOutcome Worker::answer_of(const Exercise& exercise, const std::filesystem::path& library,
@@ -214,7 +222,7 @@ RunOutcome Worker::answer_of(const Exercise& exercise, const std::filesystem::pa
     wanted.solution = library;
     wanted.roots.push_back(driver.parent_path().string());
     wanted.roots.push_back(library.parent_path().string());
-    return spawner(exercise.gl).run(wanted);
+    return run_now(exercise, wanted);
 }
 
 RunOutcome Worker::answer(const Exercise& exercise, Answers solution, const std::filesystem::path& driver)
@@ -230,7 +238,7 @@ const RunOutcome& Worker::run_known(const Exercise& exercise, const std::string&
         if (exercise.is_cpp()) wanted.solution = library_of(exercise, library);
         wanted.sources = texts_of(sources);
         wanted.wanted = this->wanted(exercise, case_name, seed);
-        return spawner(exercise.gl).run(wanted);
+        return run_now(exercise, wanted);
     });
 }
 
@@ -255,38 +263,33 @@ const RunOutcome& Worker::known(const Exercise& exercise, const std::string& who
                                 std::uint64_t seed, const std::function<RunOutcome()>& run)
 {
     const std::string key = key_of(exercise, who, case_name, seed);
-    if (const auto found = remembered_.find(key); found != remembered_.end()) return found->second;
-    const std::filesystem::path file = kept_file(exercise, who, case_name, seed);
-    if (file.empty()) return remember(key, run());
-    if (std::optional<KeptRun> kept = kept_run(file)) {
-        RunOutcome outcome;
-        outcome.verdict = Verdict::ok;
-        outcome.recording.stage = wire::Stage::finished;
-        outcome.recording.tensors = std::move(kept->tensors);
-        outcome.cpu_seconds = kept->times.cpu_seconds;
-        outcome.wall_seconds = kept->times.wall_seconds;
-        return remember(key, std::move(outcome));
-    }
-    RunOutcome outcome = run();
-    if (outcome.verdict == Verdict::ok && outcome.recording.oversized.empty()) try_to_keep(file, outcome);
-    return remember(key, std::move(outcome));
+    if (const auto found = used_.find(key); found != used_.end()) return *found->second;
+    const auto kept_or_run = [&] {
+        const std::filesystem::path file = kept_file(exercise, who, case_name, seed);
+        if (file.empty()) return run();
+        if (std::optional<KeptRun> kept = kept_run(file)) {
+            RunOutcome outcome;
+            outcome.verdict = Verdict::ok;
+            outcome.recording.stage = wire::Stage::finished;
+            outcome.recording.tensors = std::move(kept->tensors);
+            outcome.cpu_seconds = kept->times.cpu_seconds;
+            outcome.wall_seconds = kept->times.wall_seconds;
+            return outcome;
+        }
+        RunOutcome outcome = run();
+        if (outcome.verdict == Verdict::ok && outcome.recording.oversized.empty()) try_to_keep(file, outcome);
+        return outcome;
+    };
+    return *used_.emplace(key, runs_->get(key, kept_or_run)).first->second;
 }
 
-const RunOutcome& Worker::remember(const std::string& key, RunOutcome outcome)
+void Worker::let_go()
 {
-    std::size_t bytes = sizeof outcome;
-    for (const auto& [name, tensor] : outcome.recording.tensors) bytes += tensor.bytes.size() + tensor.present.size();
-    remembered_bytes_ += bytes;
-    return remembered_.emplace(key, std::move(outcome)).first->second;
-}
-
-void Worker::forget_if_full()
-{
-    if (remembered_bytes_ <= most_remembered) return;
-    remembered_.clear();
+    used_.clear();
+    if (questions_bytes_ <= most_question_bytes && bases_.size() <= most_bases) return;
     questions_.clear();
     bases_.clear();
-    remembered_bytes_ = 0;
+    questions_bytes_ = 0;
 }
 
 }

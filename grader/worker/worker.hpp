@@ -14,6 +14,7 @@
 #include "run/spawner.hpp"
 #include "worker/check_basis.hpp"
 #include "worker/seeds.hpp"
+#include "worker/shared_runs.hpp"
 #include "worker/spare_time.hpp"
 
 namespace umbral::grader {
@@ -45,11 +46,17 @@ public:
     /// again as long as that holds. Null: they are not.
     void keep_runs(std::shared_ptr<const UnitKeys> keys) noexcept { keys_ = std::move(keys); }
 
-    /// Lets go of remembered runs if they take too much memory; references to them end. Called between units.
-    void forget_if_full();
+    /// From now on trusted runs are remembered together with other workers.
+    void share_runs(std::shared_ptr<SharedRuns> runs) noexcept { runs_ = std::move(runs); }
+
+    /// Lets go of the runs that were used, which are forgotten if too many are remembered; references to them end.
+    /// Called between units.
+    void let_go();
 
     /// What is left for running students' code again: all runs but `run` take from it.
     [[nodiscard]] SpareTime& spare_time() noexcept { return spare_time_; }
+    /// What all runs until now took, trusted ones too (SpareTime::cost_of).
+    [[nodiscard]] double run_seconds() const noexcept { return run_seconds_; }
 
     /// Runs one case with a student's (or a solution's) build, after the trusted runs that it is judged against: of its
     /// recording only what the case's checks look at is read, and not if it is far larger than expected. Throws
@@ -75,7 +82,7 @@ public:
     {
         RunRequest wanted = students_request(exercise, built, case_name, seed);
         wanted.beside = stream_of(exercise, case_name, beside);
-        return spare_time_.spent_on(spawner(exercise.gl).run(wanted));
+        return spare_time_.spent_on(run_now(exercise, wanted));
     }
 
     /// Runs one case with a student's build, or with the reference if there is none, working on these counted costs
@@ -132,6 +139,7 @@ public:
                                               const Sources& sources, const std::string& case_name, std::uint64_t seed);
 
 private:
+    [[nodiscard]] RunOutcome run_now(const Exercise& exercise, const RunRequest& request);
     [[nodiscard]] RunRequest request(const Exercise& exercise, const std::string& case_name, std::uint64_t seed) const;
     [[nodiscard]] RunRequest students_request(const Exercise& exercise, const Built& built,
                                               const std::string& case_name, std::uint64_t seed);
@@ -147,7 +155,6 @@ private:
                                           const std::function<RunOutcome()>& run);
     [[nodiscard]] RunOutcome answer_of(const Exercise& exercise, const std::filesystem::path& library,
                                        const std::filesystem::path& driver);
-    const RunOutcome& remember(const std::string& key, RunOutcome outcome);
 
     Toolchain tools_;
     std::string gl_backend_;
@@ -158,10 +165,12 @@ private:
     std::unique_ptr<Spawner> gl_;
     std::shared_ptr<const UnitKeys> keys_;
     SpareTime spare_time_;
-    std::map<std::string, RunOutcome> remembered_;
+    double run_seconds_ = 0;
+    std::shared_ptr<SharedRuns> runs_ = std::make_shared<SharedRuns>();
+    std::map<std::string, SharedRuns::Run> used_;
     std::map<std::string, QuestionLog> questions_;
     std::map<std::string, CheckBasis> bases_;
-    std::size_t remembered_bytes_ = 0;
+    std::size_t questions_bytes_ = 0;
 };
 
 }

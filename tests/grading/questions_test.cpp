@@ -5,6 +5,7 @@
 #include "explain/other_questions.hpp"
 #include "question/names.hpp"
 #include "report/hidden.hpp"
+#include "report/html/pages.hpp"
 #include "spoilt_reference.hpp"
 
 // What is said of bugs that are in no list of mistakes.
@@ -16,6 +17,11 @@ class Questions : public SpoiltReference {};
 class QuestionsOfPhong : public SpoiltReference {
 protected:
     QuestionsOfPhong() : SpoiltReference("lighting/phong") {}
+};
+
+class QuestionsOfPictures : public SpoiltReference {
+protected:
+    QuestionsOfPictures() : SpoiltReference("pipeline/draw-deferred") {}
 };
 
 class QuestionsOfLists : public SpoiltReference {
@@ -125,6 +131,38 @@ TEST_F(Questions, of_practice_inputs_tell_students_where_a_hidden_check_goes_wro
     const SubmissionResult shown = without_hidden_values({"ada", 0, 0, {other}, {}});
     EXPECT_EQ(check(shown.units.front(), "random/t").practice, told);
     EXPECT_TRUE(check(shown.units.front(), "random/t").practice_example);
+}
+
+TEST_F(QuestionsOfPictures, hidden_ones_are_shown_as_they_are_drawn_on_practice_inputs)
+{
+    const auto drawn = [&](const char* secret) {
+        GradeOptions options;
+        options.seeds.secret = secret;
+        options.artefacts = bench.folder() / secret;
+        options.relative_to = bench.folder();
+        const UnitResult result = grade("index_count_, GL_UNSIGNED_INT", "index_count_ - 3, GL_UNSIGNED_INT", options);
+        const CheckResult& hidden = check(result, "random/picture 1");
+        EXPECT_LT(hidden.score, hidden.max_score);
+        EXPECT_FALSE(hidden.artefacts.contains("triptych"));
+        const SubmissionResult shown = without_hidden_values({"ada", 0, 0, {result}, {}});
+        return read_text(bench.folder() /
+                         check(shown.units.front(), "random/picture 1").artefacts.at(practice_picture));
+    };
+    const std::string picture = drawn("one secret");
+    EXPECT_GT(picture.size(), 1000);
+    EXPECT_EQ(picture, drawn("another"));
+}
+
+TEST_F(QuestionsOfPictures, students_see_a_hidden_picture_only_as_it_is_drawn_on_practice_inputs)
+{
+    const Built built = build_spoilt("index_count_, GL_UNSIGNED_INT", "index_count_ - 3, GL_UNSIGNED_INT");
+    GradeOptions options;
+    options.show_hidden = true;
+    const GradedUnit graded = grade_with_evidence(worker, exercise, {built.sources, {}, ""}, options);
+    const auto page = [&](html::Edition edition) { return html::section_html(graded.result, graded.detail, edition); };
+    const std::string told = "On practice inputs</h4>";
+    EXPECT_NE(page(html::Edition::student).find(told), std::string::npos);
+    EXPECT_EQ(page(html::Edition::instructor).find(told), std::string::npos);
 }
 
 TEST_F(Questions, two_known_mistakes_at_once_are_both_told)

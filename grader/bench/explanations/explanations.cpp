@@ -45,7 +45,7 @@ private:
 
     CaseResults run(const Answer& answer)
     {
-        worker_.forget_if_full();
+        worker_.let_go();
         const SeedPlan seeds{"bench explanations", "bench explanations", "bench explanations", seed_};
         CaseResults cases;
         for (const std::string& name : exercise_.cases()) {

@@ -103,7 +103,9 @@ private:
         CaseRuns runs(worker_, exercise_, built_, check.case_name, one);
         const AskedCheck asked{exercise_, check, runs, one, worker_.questions(exercise_, check.case_name, one.seed),
                                headers_};
-        const InCommon common = find_in_common(worker_, asked);
+        SpareTime time;
+        time.allow(exercise_.limits.wall_seconds);
+        const InCommon common = find_in_common(worker_, asked, time);
         if (common.condition)
             bug.said.push_back(
                 tried(asked, *common.condition, ToldSentence::Kind::condition, common.condition->condition.words));
@@ -158,7 +160,7 @@ std::vector<UnforeseenBug> explain_unforeseen(Worker& worker, const Exercise& ex
     std::size_t next = 0;
     for (unsigned found = 0, tried = 0; found < plan.bugs && tried < most_tries * plan.bugs && next < mutants.size();
          ++tried, ++next) {
-        worker.forget_if_full();
+        worker.let_go();
         std::optional<UnforeseenBug> bug = trial.explain(mutants[next].number);
         if (!bug) continue;
         bug->bug = in_words(mutants[next]);
@@ -167,7 +169,7 @@ std::vector<UnforeseenBug> explain_unforeseen(Worker& worker, const Exercise& ex
     }
     for (unsigned found = 0, tried = 0; found < plan.pairs && tried < plan.pairs && next + 1 < mutants.size();
          ++tried, next += 2) {
-        worker.forget_if_full();
+        worker.let_go();
         std::optional<UnforeseenBug> bug = trial.explain(both(mutants[next].number, mutants[next + 1].number));
         if (!bug) continue;
         bug->bug = in_words(mutants[next]) + "; " + in_words(mutants[next + 1]);

@@ -125,6 +125,7 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
     result += wrong_question("The simplest question with a wrong answer", check.simplest);
     if (std::holds_alternative<std::monostate>(detail.evidence)) result += first_difference(check);
     if (!std::holds_alternative<RowsEvidence>(detail.evidence)) result += question(check);
+    if (detail.practice) result += Markup("<h4>On practice inputs</h4>\n");
     result += std::visit(Show{anchor}, detail.evidence);
     result += question_in_full(check);
     if (judge_of(check).look != Look::none)

@@ -46,8 +46,9 @@ struct Details {
     [[nodiscard]] const CheckDetail& of(const CheckResult& check) const
     {
         static const CheckDetail nothing;
-        const auto found = unit.checks.find(check.name);
-        return found == unit.checks.end() || (check.hidden && edition == Edition::student) ? nothing : found->second;
+        const auto& details = check.hidden && edition == Edition::student ? unit.practice : unit.checks;
+        const auto found = details.find(check.name);
+        return found == details.end() ? nothing : found->second;
     }
 };
 
