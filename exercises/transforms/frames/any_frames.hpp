@@ -80,6 +80,18 @@ inline void make_nearly_parallel(Frame& frame, int j, int k)
     frame.y[k] = size;
 }
 
+/// The same turned by a third of a turn about (1, 1, 1), or by none, and with the vectors in another such order.
+inline void exchange_coordinates(Frame& frame, Random& random)
+{
+    const auto first = static_cast<int>(random.below(3));
+    for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z})
+        *axis = glm::vec3((*axis)[first], (*axis)[(first + 1) % 3], (*axis)[(first + 2) % 3]);
+    for (std::uint32_t i = random.below(3); i > 0; --i) {
+        std::swap(frame.x, frame.y);
+        std::swap(frame.y, frame.z);
+    }
+}
+
 /// x and y as good as parallel, and z far from them: where all large products cancel, what remains is 2^-100 and less
 /// of them, and may be 0.
 inline Frame nearly_flat(bool flat, Random& random)
@@ -92,9 +104,26 @@ inline Frame nearly_flat(bool flat, Random& random)
     const float t = flat ? q : full_number(random);
     Frame frame{{p, q, 0}, {p, q, small()}, {step * s, step * t, full_number(random)}, {0, 0, 0}};
     if (random.below(2) == 0) std::swap(frame.x, frame.z);
-    const auto first = static_cast<int>(random.below(3));
-    for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z})
-        *axis = glm::vec3((*axis)[first], (*axis)[(first + 1) % 3], (*axis)[(first + 2) % 3]);
+    exchange_coordinates(frame, random);
+    return frame;
+}
+
+/// The largest two of the six products cancel exactly, 2^-80 … 2^-110 below them four others cancel but for 2^-66 of
+/// their size, or exactly: what the small ones leave is lost if it is added to what the large ones rounded off.
+inline Frame layered(bool flat, Random& random)
+{
+    Frame frame{};
+    frame.x = {full_number(random), full_number(random), full_number(random)};
+    frame.y = {full_number(random), full_number(random), full_number(random)};
+    make_nearly_parallel(frame, 1, 2);
+    if (flat) frame.x.y = frame.y.y, frame.x.z = frame.y.z;
+    const int level = -80 - static_cast<int>(random.below(31));
+    frame.x.y = std::ldexp(frame.x.y, level);
+    frame.x.z = std::ldexp(frame.x.z, level);
+    frame.z = frame.y;
+    frame.z.x += random.below(2) == 0 ? 0x1p-23F : -0x1p-23F;
+    if (random.below(2) == 0) std::swap(frame.y, frame.z);
+    exchange_coordinates(frame, random);
     return frame;
 }
 

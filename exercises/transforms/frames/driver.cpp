@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 #include <umbral/record/ask.hpp>
@@ -40,15 +41,11 @@ void record_known(Variation& vary, Recorder& out)
 void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
-        // Every third of each is nearly Cartesian. Every sixth pair is one frame and itself with another vector.
+        // Every third of each is nearly Cartesian.
         const glm::vec3 here = 8.0F * random.in_cube();
         const glm::vec3 there = 8.0F * random.in_cube();
         const Frame from = i % 3 == 0 ? nearly_cartesian(here, random) : oblique(here, random);
-        Frame to = i % 3 == 1 ? nearly_cartesian(there, random) : oblique(there, random);
-        if (i % 6 == 5) {
-            to = from;
-            axis_of(to, random.below(3)) *= random.below(2) == 0 ? 1.5F : 0.75F;
-        }
+        const Frame to = i % 3 == 1 ? nearly_cartesian(there, random) : oblique(there, random);
         out.append("matrix", ask<frame_matrix>(out, from));
         out.append("inverse", ask<inverse_of_frame>(out, from));
         out.append("between", ask<between_frames>(out, from, to));
@@ -56,14 +53,35 @@ void record_random(Random& random, Recorder& out)
     }
 }
 
-// Cartesian frames that have been turned too often: off by a thousandth, or by less than the threshold of 1e-4 up to
-// which they are still called Cartesian. The transpose is the inverse no more. Half of them are left-handed.
+// From each frame to the one that comes of it by another length of one vector, or another origin: what is the same in
+// both, or was the same in the question before, says nothing about the rest.
+void record_related(Random& random, Recorder& out)
+{
+    Frame from{};
+    for (int i = 0; i < 80; ++i) {
+        if (i % 8 == 0) from = oblique(8.0F * random.in_cube(), random);
+        Frame to = from;
+        const std::uint32_t part = random.below(4);
+        if (part < 3)
+            axis_of(to, part) *= random.uniform(0.5F, 2) / length(axis_of(from, part));
+        else
+            to.origin = 8.0F * random.in_cube();
+        out.append("related", ask<between_frames>(out, from, to));
+        from = to;
+    }
+}
+
+// Cartesian frames that have been turned too often: half of them by less than the threshold of 1e-4 up to which they
+// are still called Cartesian, others by as little and left-handed, or off by a thousandth. The transpose is the inverse
+// no more.
 void record_drifted(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
         const glm::vec3 origin = 8.0F * random.in_cube();
-        const Frame frame = drifted(origin, i % 2 == 0 ? 2e-3F : 4e-5F, i % 4 > 1, random);
+        const Frame frame = drifted(origin, i % 4 == 0 ? 2e-3F : 4e-5F, i % 4 == 1, random);
         out.append("inverse", ask<inverse_of_frame>(out, frame));
+        const Frame other = oblique(8.0F * random.in_cube(), random);
+        out.append("between", ask<between_frames>(out, other, frame));
     }
 }
 
@@ -145,9 +163,9 @@ void record_thresholds(Random& random, Recorder& out)
 // changes the volume by 2^-69 where x and y are nearly parallel. As small and as large as floats are, and in between.
 void record_coplanar(Variation& vary, Random& random, Recorder& out)
 {
-    for (const int i : numbers(vary, 150)) {
+    for (const int i : numbers(vary, 180)) {
         if (i >= 120) {
-            const Frame frame = nearly_flat(i % 2 == 0, random);
+            const Frame frame = i < 140 ? nearly_flat(i % 2 == 0, random) : layered(i % 4 == 0, random);
             out.append("sign", ask<orientation>(out, frame));
             record_kind(out, frame);
             continue;
@@ -173,22 +191,29 @@ void record_coplanar(Variation& vary, Random& random, Recorder& out)
     }
 }
 
-// y leans onto x until they are 1e-2 … 1e-6 apart; and vectors of 1e-14 and 1e14, whose volume is no float.
+// y leans onto x until they are 1e-2 … 1e-6 apart. Most origins have small coordinates in their frame, for which large
+// numbers cancel; the world's origin has the same, with the other sign.
 void record_ill_conditioned(Random& random, Recorder& out)
 {
     for (const float apart : {1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F}) {
         for (int i = 0; i < 12; ++i) {
             Frame frame = cartesian(random.in_cube(), random);
             frame.y = frame.x + apart * frame.y;
+            const glm::vec3 inside = 4.0F * random.in_cube();
+            if (i % 4 != 0) frame.origin = inside.x * frame.x + inside.y * frame.y + inside.z * frame.z;
             out.append("inverse", ask<inverse_of_frame>(out, frame));
         }
     }
-    for (const float size : {1e-14F, 1e14F}) {
-        for (int i = 0; i < 6; ++i) {
-            Frame frame = oblique(random.in_cube(), random);
-            for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z}) *axis *= size;
-            out.append("inverse", ask<inverse_of_frame>(out, frame));
-        }
+}
+
+// Vectors of 1e-14 … 1e-9, and as many of 1e9 … 1e14: the volume may be no float, and is not 0.
+void record_units(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 24; ++i) {
+        Frame frame = oblique(random.in_cube(), random);
+        const float size = std::pow(10.0F, (i % 2 == 0 ? 1.0F : -1.0F) * random.uniform(9.5F, 14));
+        for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z}) *axis *= size;
+        out.append("inverse", ask<inverse_of_frame>(out, frame));
     }
 }
 
@@ -222,13 +247,18 @@ void record_far(Random& random, Recorder& out)
 
 const Driver driver = {
     {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
-    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"random",
+     [](Case& c, Recorder& out) {
+         record_random(c.random, out);
+         record_related(c.random, out);
+     }},
     {"drifted", [](Case& c, Recorder& out) { record_drifted(c.random, out); }},
     {"orientation", [](Case& c, Recorder& out) { record_orientation(c.random, out); }},
     {"kinds", [](Case& c, Recorder& out) { record_kinds(c.vary, c.random, out); }},
     {"thresholds", [](Case& c, Recorder& out) { record_thresholds(c.random, out); }},
     {"nearly in a plane", [](Case& c, Recorder& out) { record_coplanar(c.vary, c.random, out); }},
     {"ill-conditioned", [](Case& c, Recorder& out) { record_ill_conditioned(c.random, out); }},
+    {"other units", [](Case& c, Recorder& out) { record_units(c.random, out); }},
     {"far away", [](Case& c, Recorder& out) { record_far(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("whirl", draw_whirl(c.vary, out)); }},
 };

@@ -1,5 +1,5 @@
 // mistake: every formula in float, one frame to the other by way of the world
-// credit: 80..92
+// credit: 68..82
 // hint: Frames that are far from the world's origin lose their place when they go through the world in float: subtract
 // the origins first, and compute in double.
 #include <umbral/transforms/frames.hpp>
