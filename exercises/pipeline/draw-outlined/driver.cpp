@@ -1,11 +1,12 @@
 #include <array>
-#include <span>
+#include <optional>
 #include <umbral/gl/record_trace.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "../support_gl.hpp"
 #include "../varied.hpp"
 #include "shapes.hpp"
+#include "state.hpp"
 
 namespace umbral {
 namespace {
@@ -55,14 +56,25 @@ void record_calls(Recorder& out, std::string_view name, Work&& work)
     gl::record_trace(out, name, gl::end_trace());
 }
 
+// One of the corners comes twice: it is sent twice.
 void sent_calls(Case& c, Recorder& out)
 {
     const Stage stage(32);
     const Piece piece = large(c.vary, Piece::Way::sent, c.vary.one_of(9, std::array{6, 12, 15}));
-    record_calls(out, "sent", [&] { draw(out, piece); });
+    std::vector<glm::vec2> corners = corners_of(piece);
+    const auto twice = corners.begin() + c.vary.near(3, 2);
+    corners.insert(twice, *twice);
+    record_calls(out, "sent", [&] { ask<send_polygon>(out, corners, piece.fill, piece.edges); });
 }
 
-// Made, drawn once, three times more in other colours, and gone.
+void count_alive(Recorder& out)
+{
+    out.columns("alive", "vertex arrays alive, buffers alive");
+    out.append("alive", glm::vec2(living(glIsVertexArray), living(glIsBuffer)));
+}
+
+// Made, drawn once, three times more in other colours, and gone. What lives then is counted, not what is deleted:
+// deleting the name 0 is allowed, and deletes nothing.
 void frames(Case& c, Recorder& out, Piece::Way way)
 {
     const Stage stage(64);
@@ -75,134 +87,108 @@ void frames(Case& c, Recorder& out, Piece::Way way)
         drawing = drawing_of(out, piece);
         frame(0.1F);
     });
+    count_alive(out);
     record_calls(out, "later frames", [&] {
         for (const float red : {0.3F, 0.6F, 0.9F}) frame(red);
     });
-    record_calls(out, "end", [&] {
-        ask_in_words(out, [] { return "drawing.reset();"; });
-        drawing.reset();
-    });
+    count_alive(out);
+    ask_in_words(out, [] { return "drawing.reset();"; });
+    drawing.reset();
+    count_alive(out);
 }
 
-std::array<float, 3> bindings()
+// One use: all is cleared, and others have set attribute 1, before the draw.
+void use(Recorder& out, Case& c, const Stage& stage, const Piece& piece, std::unique_ptr<OutlinedDrawing>& drawing,
+         const Bindings& once_made, bool goes)
 {
-    return {state_of(GL_VERTEX_ARRAY_BINDING), state_of(GL_ARRAY_BUFFER_BINDING),
-            state_of(GL_ELEMENT_ARRAY_BUFFER_BINDING)};
+    stage.clear();
+    leave_other_color(out, c.random);
+    if (piece.way == Piece::Way::sent)
+        draw(out, piece);
+    else if (drawing)
+        ask<&OutlinedDrawing::draw>(out, *drawing, piece.fill, piece.edges);
+    const auto edge = static_cast<int>(c.random.below(static_cast<std::uint32_t>(std::max(piece.corners, 3))));
+    record_state(out, {piece, once_made, stage.picture(), edge}, drawing, goes);
 }
 
-// What is seen belongs to the row: who draws nothing leaves all state alone. So do the bindings that making the drawing
-// left. A drawing of nothing may have made objects or not.
-void record_state(Recorder& out, const Image& picture, const std::array<float, 3>& once_made, bool has_objects)
-{
-    std::array<GLint, 2> mode{};
-    glGetIntegerv(GL_POLYGON_MODE, mode.data());
-    GLint enabled = 0;
-    glGetVertexAttribiv(0, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
-    const glm::u8vec4 seen = picture.at(picture.width / 2 + 2, picture.height / 2 + 3);
-    const std::array<float, 3> now = bindings();
-    const std::array row{static_cast<float>(mode[0]),
-                         static_cast<float>(mode[1]),
-                         static_cast<float>(enabled),
-                         now[0],
-                         now[1],
-                         now[2],
-                         once_made[0],
-                         once_made[1],
-                         once_made[2],
-                         state_of(GL_DEPTH_TEST),
-                         state_of(GL_DEPTH_FUNC),
-                         state_of(GL_LINE_WIDTH),
-                         has_objects ? living(glIsVertexArray) : 0,
-                         has_objects ? living(glIsBuffer) : 0,
-                         static_cast<float>(glGetError()),
-                         static_cast<float>(seen.r),
-                         static_cast<float>(seen.g),
-                         static_cast<float>(seen.b)};
-    out.columns("state",
-                "GL_POLYGON_MODE front, GL_POLYGON_MODE back, attribute 0 enabled, GL_VERTEX_ARRAY_BINDING, "
-                "GL_ARRAY_BUFFER_BINDING, GL_ELEMENT_ARRAY_BUFFER_BINDING, vertex array bound once made, "
-                "array buffer bound once made, element buffer bound once made, GL_DEPTH_TEST, GL_DEPTH_FUNC, "
-                "GL_LINE_WIDTH, vertex arrays alive, buffers alive, glGetError, pixel in the middle/3");
-    out.append("state", std::span<const float>(row));
-}
-
-// The colour that others left as the current value of attribute 1.
-void leave_black(Recorder& out)
-{
-    ask_in_words(out, [] { return "glVertexAttrib3f(1, 0, 0, 0);  // somebody else's"; });
-    glVertexAttrib3f(1, 0, 0, 0);
-}
-
-// In every second round the fill has the colour of the edges before it, although others have drawn in between. What
-// was made and never drawn leaves nothing behind.
+// Each of the three ways in eight rounds, twice in each. What was made and never drawn leaves nothing behind.
 void state(Case& c, Recorder& out)
 {
-    const Stage stage(32);
-    glm::vec3 last_edges(0);
-    for (int round = 0; round < 12; ++round) {
+    const Stage stage(64);
+    for (int round = 0; round < 24; ++round) {
+        const int turn = round / 3;
         Piece piece = random_piece(c.random);
         piece.way = static_cast<Piece::Way>(round % 3);
         piece.centre = glm::vec2(0);
         piece.radius = 0.8F;
-        piece.corners = round < 3 ? 0 : piece.corners;
-        glLineWidth(static_cast<float>(1 + c.random.below(6)));
+        piece.corners = 3 + static_cast<int>(c.random.below(6));
+        choose_size(piece, c.random, turn);
+        choose_colors(piece, c.random, turn % 4, std::nullopt);
+        glLineWidth(static_cast<float>(10 + c.random.below(4)));
         c.random.below(2) == 0 ? glEnable(GL_DEPTH_TEST) : glDisable(GL_DEPTH_TEST);
-        if (round % 2 == 1) piece.fill = last_edges;
-        last_edges = piece.edges;
-        stage.clear();
-        leave_black(out);
+        choose_watched(c.random);
+        std::unique_ptr<OutlinedDrawing> drawing;
         if (piece.way != Piece::Way::sent) {
             auto unused = drawing_of(out, piece, "unused");
             ask_in_words(out, [] { return "unused.reset();  // never drawn"; });
             unused.reset();
-        }
-        std::unique_ptr<OutlinedDrawing> drawing;
-        if (piece.way == Piece::Way::sent)
-            draw(out, piece);
-        else
             drawing = drawing_of(out, piece);
-        const std::array<float, 3> once_made = bindings();
-        if (drawing) ask<&OutlinedDrawing::draw>(out, *drawing, piece.fill, piece.edges);
-        record_state(out, stage.picture(), once_made, piece.corners > 0);
+        }
+        const Bindings once_made;
+        use(out, c, stage, piece, drawing, once_made, false);
+        choose_colors(piece, c.random, (turn + 2) % 4, piece.edges);
+        use(out, c, stage, piece, drawing, once_made, true);
     }
 }
 
-// Drawings that live at once, drawn in turn; the last ones when others have gone. The two polygons, of 300 corners
-// each, come from one table that changes in its place; one of the wheels has 70,000 positions more than it needs.
+// Two polygons, then two wheels, that come in turn from one table that changes in its place; a polygon whose corners
+// 16 bits cannot count, and a wheel whose last position and whose last triangles have no number of 16 bits.
+std::vector<Piece> several_pieces(Variation& vary)
+{
+    constexpr std::array corners = {300, 300, 9, 9, 70'000, 7};
+    const float hue = hue_shift(vary);
+    std::vector<Piece> pieces;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const auto k = static_cast<float>(i);
+        const glm::vec2 place(0.62F * static_cast<float>(i / 2) - 0.62F, i % 2 == 0 ? -0.45F : 0.45F);
+        pieces.push_back({i / 2 == 1 || i == 5 ? Piece::Way::triangles : Piece::Way::polygon, corners[i],
+                          vary.near(place, 0.03F), 0.27F, vary.near(0.3F * k, 0.5F),
+                          rainbow(0.17F * k + hue, 0.8F, 0.7F), glm::vec3(1)});
+    }
+    pieces[4].corners += vary.near(0, 2000);
+    pieces[5].unused = 65'536 - pieces[5].corners;
+    pieces[5].idle = 22'000 + vary.near(0, 100);
+    return pieces;
+}
+
+// Drawings that live at once, drawn in turn; the last ones when others have gone.
 void several(Case& c, Recorder& out)
 {
     const Stage stage(160);
-    const float hue = hue_shift(c.vary);
-    std::vector<Piece> pieces;
+    std::vector<Piece> pieces = several_pieces(c.vary);
     std::vector<std::unique_ptr<OutlinedDrawing>> drawings;
     std::vector<glm::vec2> table;
-    for (int i = 0; i < 4; ++i) {
-        const float side = i % 2 == 0 ? -0.45F : 0.45F;
-        pieces.push_back({i < 2 ? Piece::Way::polygon : Piece::Way::triangles,
-                          i < 2 ? 300 : 3 + 2 * i,
-                          c.vary.near(glm::vec2(side, i < 2 ? 0.45F : -0.45F), 0.05F),
-                          0.4F,
-                          c.vary.near(0.0F, 0.5F),
-                          rainbow(0.23F * static_cast<float>(i) + hue, 0.8F, 0.7F),
-                          {1, 1, 1},
-                          i == 3 ? 70'000 : 0});
+    Wheel wheel;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
         const std::string name = "drawing" + std::to_string(i);
-        const std::vector<glm::vec2> corners = corners_of(pieces.back());
-        if (i < 2) {
+        if (pieces[i].way == Piece::Way::polygon) {
+            const std::vector<glm::vec2> corners = corners_of(pieces[i]);
             table = corners;  // copied into the memory that it has
             drawings.push_back(ask_new<make_outlined_polygon>(out, name, table));
         } else {
-            drawings.push_back(drawing_of(out, pieces.back(), name));
+            const Wheel next = wheel_of(pieces[i]);
+            wheel = next;
+            drawings.push_back(ask_new<make_outlined_triangles>(out, name, wheel.positions, wheel.indices));
         }
     }
     const auto show = [&](std::size_t i) {
         if (drawings[i]) ask<&OutlinedDrawing::draw>(out, *drawings[i], pieces[i].fill, pieces[i].edges);
     };
-    for (const std::size_t i : {3, 1, 0, 2}) show(i);
+    for (const std::size_t i : {3, 5, 1, 0, 4, 2}) show(i);
     drawings[0].reset();
     drawings[2].reset();
     std::swap(pieces[1].fill, pieces[3].fill);
-    for (const std::size_t i : {1, 3}) show(i);
+    for (const std::size_t i : {1, 3, 4}) show(i);
     out.image("picture", stage.picture());
 }
 

@@ -22,7 +22,8 @@ struct Piece {
     float turn = 0;
     glm::vec3 fill{1};
     glm::vec3 edges{0};
-    int unused = 0;  ///< of triangles: so many positions come first that no triangle has
+    int unused = 0;  ///< of triangles: so many positions come first that no triangle of the wheel has
+    int idle = 0;    ///< of triangles: so many come first whose corners are all one, the first position
 };
 
 inline std::vector<glm::vec2> corners_of(const Piece& piece)
@@ -37,10 +38,10 @@ inline std::vector<glm::vec2> corners_of(const Piece& piece)
 }
 
 /// The triangles' table of indices: every second triangle first, each begun at another of its corners, and every third
-/// clockwise: no order to rely on. The centre comes last.
+/// clockwise: no order to rely on. The centre comes last. Idle triangles come before all others.
 inline std::vector<std::uint32_t> indices_of(const Piece& piece)
 {
-    std::vector<std::uint32_t> indices;
+    std::vector<std::uint32_t> indices(3 * static_cast<std::size_t>(piece.idle), 0U);
     const auto first = static_cast<std::uint32_t>(piece.unused);
     const auto n = static_cast<std::uint32_t>(piece.corners);
     for (const std::uint32_t parity : {0U, 1U})
@@ -53,16 +54,27 @@ inline std::vector<std::uint32_t> indices_of(const Piece& piece)
     return indices;
 }
 
-/// The factory's drawing; nothing for what is sent. A piece of no corners has empty tables. The tables go before the
-/// drawing is used.
+struct Wheel {
+    std::vector<glm::vec2> positions;
+    std::vector<std::uint32_t> indices;
+};
+
+/// The tables of triangles; empty for a piece of no corners.
+inline Wheel wheel_of(const Piece& piece)
+{
+    Wheel wheel{std::vector<glm::vec2>(static_cast<std::size_t>(piece.unused), glm::vec2(0.9F)), indices_of(piece)};
+    const std::vector<glm::vec2> corners = corners_of(piece);
+    wheel.positions.insert(wheel.positions.end(), corners.begin(), corners.end());
+    if (piece.corners > 0) wheel.positions.push_back(piece.centre);
+    return wheel;
+}
+
+/// The factory's drawing; nothing for what is sent. The tables go before the drawing is used.
 inline std::unique_ptr<OutlinedDrawing> drawing_of(Recorder& out, const Piece& piece, std::string_view name = "drawing")
 {
-    const std::vector<glm::vec2> corners = corners_of(piece);
-    if (piece.way == Piece::Way::polygon) return ask_new<make_outlined_polygon>(out, name, corners);
-    std::vector<glm::vec2> positions(static_cast<std::size_t>(piece.unused), glm::vec2(0.9F));
-    positions.insert(positions.end(), corners.begin(), corners.end());
-    if (piece.corners > 0) positions.push_back(piece.centre);
-    return ask_new<make_outlined_triangles>(out, name, positions, indices_of(piece));
+    if (piece.way == Piece::Way::polygon) return ask_new<make_outlined_polygon>(out, name, corners_of(piece));
+    const Wheel wheel = wheel_of(piece);
+    return ask_new<make_outlined_triangles>(out, name, wheel.positions, wheel.indices);
 }
 
 inline void draw(Recorder& out, const Piece& piece)
