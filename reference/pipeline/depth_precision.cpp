@@ -20,7 +20,7 @@ double last_code(int bits) { return std::ldexp(1.0, bits) - 1; }
 // squared.
 double slope(const DepthRange& range) { return range.near_plane / before_far(range, range.near_plane); }
 
-// The size of a step of the format where the depth has this value.
+// The size of a step of the format where the depth has this value: less than 1, though it may have been rounded to 1.
 double step(DepthFormat format, double depth)
 {
     switch (format) {
@@ -28,7 +28,7 @@ double step(DepthFormat format, double depth)
         case DepthFormat::unorm24: return 1 / last_code(24);
         case DepthFormat::float32: break;
     }
-    return std::ldexp(1.0, std::ilogb(depth) - 23);
+    return std::ldexp(1.0, std::min(std::ilogb(depth), -1) - 23);
 }
 
 }
