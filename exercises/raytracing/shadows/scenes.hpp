@@ -26,24 +26,41 @@ struct SurfaceSite {
     double size;
 };
 
-/// The point rounded, and moved below the surface by `worse` times as much as rounding may move it. Its error is that,
-/// and the rounding itself.
-inline ShadedPoint rounded_below(const glm::dvec3& point, const glm::dvec3& normal, int worse)
+inline double half_ulp_of(const glm::dvec3& point)
 {
-    const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
-    const double half_ulp = 0.5 * ulp_of(largest);
-    const glm::vec3 position(point - worse * half_ulp * sign(normal));
-    return {position, glm::vec3(normal), static_cast<float>((1 + worse) * half_ulp)};
+    return 0.5 * ulp_of(std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}));
+}
+
+/// The point as rounding to float leaves it, with half an ulp as its error; or as deep below the surface as its error
+/// allows: that many half ulps, and no coordinate could be a float lower.
+inline ShadedPoint rounded_below(const glm::dvec3& point, const glm::dvec3& normal, double half_ulps)
+{
+    const double half_ulp = half_ulp_of(point);
+    if (half_ulps == 0) return {glm::vec3(point), glm::vec3(normal), static_cast<float>(half_ulp)};
+    const glm::dvec3 down = -sign(normal);
+    const auto furthest = [&](glm::length_t i, double most) {
+        const auto rounded = static_cast<float>(point[i] + most * down[i]);
+        return std::abs(double{rounded} - point[i]) <= most ? rounded
+                                                            : std::nextafter(rounded, static_cast<float>(point[i]));
+    };
+    ShadedPoint below{glm::vec3(0), glm::vec3(normal), 0};
+    double error = half_ulp;
+    for (glm::length_t i = 0; i < 3; ++i)
+        error = std::max(error, std::abs(double{furthest(i, half_ulps * half_ulp)} - point[i]));
+    for (glm::length_t i = 0; i < 3; ++i) below.position[i] = furthest(i, error);
+    below.error = std::nextafter(static_cast<float>(error), endless);
+    return below;
 }
 
 /// A point on a triangle of this size, one of the four of a flat pyramid, or on a ball, anywhere within `place` +-
-/// `size`. The place is of floats: of one rounded here, GCC 12 goes on with the digits that it had before.
-inline SurfaceSite random_site(Random& random, const glm::vec3& place, double size)
+/// `size`; as deep below the surface as its error allows if `deep`. The place is of floats: of one rounded here, GCC 12
+/// goes on with the digits that it had before.
+inline SurfaceSite random_site(Random& random, const glm::vec3& place, double size, bool deep)
 {
     const glm::dvec3 middle(place);
     SurfaceSite site;
     site.size = size;
-    const int worse = random.below(2) == 0 ? 0 : 3;
+    const double half_ulps = deep ? std::exp2(random.uniform(1, 4)) : 0;
     if (random.below(2) == 0) {
         const glm::dvec3 up(random.unit_vector());
         const glm::dvec3 side = perpendicular_to(normalize(up), random);
@@ -69,8 +86,15 @@ inline SurfaceSite random_site(Random& random, const glm::vec3& place, double si
         site.point = glm::dvec3(ball.centre) + double{ball.radius} * site.normal;
         site.own.balls.push_back(ball);
     }
-    site.rounded = rounded_below(site.point, site.normal, worse);
+    site.rounded = rounded_below(site.point, site.normal, half_ulps);
     return site;
+}
+
+/// The same, as deep or as rounding leaves it.
+inline SurfaceSite random_site(Random& random, const glm::vec3& place, double size)
+{
+    const bool deep = random.below(2) == 0;
+    return random_site(random, place, size, deep);
 }
 
 /// A unit direction whose angle with the surface has this sine; below it if that is negative.
@@ -177,20 +201,22 @@ inline std::vector<LightQuestion> light_pairs(Random& random, double size, doubl
     return questions;
 }
 
-/// `count` pairs of a point with nothing in the way, and one with a triangle close above it: 20 to 60 errors away along
-/// the light's direction, which is steep.
+/// `count` pairs of a point with nothing in the way, and one with a triangle close above it, parallel to its surface:
+/// 16 to 60 errors away, and every second one as near as rounding of the triangle allows. Light is steep.
 inline std::vector<LightQuestion> contact_pairs(Random& random, double size, double away, int count)
 {
     std::vector<LightQuestion> questions;
     for (int i = 0; i < count; ++i) {
-        const SurfaceSite site = random_site(random, static_cast<float>(away) * random.unit_vector(), size);
-        const glm::dvec3 towards = direction_above(site, 0.9 + 0.09 * random.uniform_double(), random);
+        const SurfaceSite site = random_site(random, static_cast<float>(away) * random.unit_vector(), size, true);
+        const double sine = 0.9 + 0.09 * random.uniform_double();
+        const glm::dvec3 towards = direction_above(site, sine, random);
         double reach = 0;
         const LightQuestion lit{site.rounded, random_light(site, towards, i % 2 == 0, reach, random), site.own};
         LightQuestion dark = lit;
-        const double gap = double{site.rounded.error} * (22 + 38 * random.uniform_double());
-        // Parallel to the surface, so that all of it is as far away.
-        const glm::dvec3 middle = site.point + gap * towards;
+        const double error = site.rounded.error;
+        const double nearest = 16 + 4 * half_ulp_of(site.point) / error;
+        const double errors = random.below(2) == 0 ? nearest : nearest + 40 * random.uniform_double();
+        const glm::dvec3 middle = site.point + error * errors / sine * towards;
         const glm::dvec3 side = 0.1 * size * perpendicular_to(site.normal, random);
         const glm::dvec3 other = cross(site.normal, side);
         dark.casters.triangles.push_back({glm::vec3(middle + side), glm::vec3(middle - 0.5 * side + 0.8 * other),
