@@ -1,3 +1,4 @@
+#include <cmath>
 #include <kit/magnitude.hpp>
 #include <limits>
 #include <numbers>
@@ -51,12 +52,17 @@ void record_known(Variation& vary, Recorder& out)
     record_alignment({1, 2, 2}, {2, 1, -2});
 }
 
-/// From -size to size, one time in three 0, 1 or -1.
+/// From -size to size; one time in four 0, and now and then 1 or -1.
 float random_factor(float size, Random& random)
 {
-    if (random.below(3) == 0) return static_cast<float>(random.below(3)) - 1;
+    const std::uint32_t kind = random.below(12);
+    if (kind < 3) return 0;
+    if (kind < 5) return kind == 3 ? 1.0F : -1.0F;
     return random.uniform(-size, size);
 }
+
+/// Ten to the power of a number between these.
+float power_of_ten(float low, float high, Random& random) { return std::pow(10.0F, random.uniform(low, high)); }
 
 void record_random(Random& random, Recorder& out)
 {
@@ -64,9 +70,10 @@ void record_random(Random& random, Recorder& out)
     for (int i = 0; i < 100; ++i) {
         const glm::vec3 centre = 8.0F * random.in_cube();
         const glm::vec3 direction = random.uniform(0.5F, 4) * random.unit_vector();
-        // Every fourth turn has nearly the axis of the one before.
+        // Every fourth turn has nearly the axis of the one before; others go round up to 100,000 times.
         AxisAngle next = random_turn(random);
         if (i % 4 == 3) next.axis = turn.axis + 0.01F * random.in_cube();
+        if (i % 2 == 0) next.angle *= power_of_ten(0.5F, 5.3F, random);
         turn = next;
         out.append("rotation", ask<rotation_about_point>(out, centre, turn));
         glm::vec3 factors;
@@ -91,20 +98,21 @@ void record_random(Random& random, Recorder& out)
 void record_null(Random& random, Recorder& out)
 {
     const glm::vec3 null(0);
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 42; ++i) {
         const glm::vec3 centre = 3.0F * random.in_cube();
         const glm::vec3 given = random.unit_vector();
         const glm::vec3 other = random.unit_vector();
+        const float factor = random.uniform(-3, 0);
         const bool first = random.below(2) == 1;
         for (const bool is_null : {first, !first}) {
             const glm::vec3 direction = is_null ? null : given;
-            if (i % 6 == 0) out.append("matrix", ask<reflection_in_line>(out, centre, direction));
-            if (i % 6 == 1) out.append("matrix", ask<reflection_in_plane>(out, centre, direction));
-            if (i % 12 == 2) out.append("matrix", ask<alignment>(out, direction, other));
-            if (i % 12 == 8) out.append("matrix", ask<alignment>(out, other, direction));
-            if (i % 6 == 3) out.append("matrix", ask<placed_along>(out, centre, direction));
-            if (i % 6 == 5) out.append("matrix", ask<scaling_along>(out, centre, direction, 2));
-            if (i % 6 == 4) out.append("matrix", ask<rotation_about_point>(out, centre, {direction, 1}));
+            if (i % 7 == 0) out.append("matrix", ask<reflection_in_line>(out, centre, direction));
+            if (i % 7 == 1) out.append("matrix", ask<reflection_in_plane>(out, centre, direction));
+            if (i % 7 == 2) out.append("matrix", ask<alignment>(out, direction, other));
+            if (i % 7 == 3) out.append("matrix", ask<alignment>(out, other, direction));
+            if (i % 7 == 4) out.append("matrix", ask<placed_along>(out, centre, direction));
+            if (i % 7 == 5) out.append("matrix", ask<scaling_along>(out, centre, direction, factor));
+            if (i % 7 == 6) out.append("matrix", ask<rotation_about_point>(out, centre, {direction, 1 - factor}));
         }
     }
 }
@@ -130,20 +138,39 @@ void record_not_finite(Random& random, Recorder& out)
     }
 }
 
-// Small changes about centres that are far away: the translation is the difference of nearly equal points.
+// Small changes about centres that are far away, and mirrors that hang far away from the point that is given of them
+// and near the origin: the translation is the difference of nearly equal points.
 void record_far(Random& random, Recorder& out)
 {
-    for (const float far : {1e2F, 1e4F, 1e6F}) {
-        for (const float change : {1e-1F, 1e-3F, 1e-5F, 1e-7F}) {
+    for (const float far : {1e3F, 3e4F, 1e6F}) {
+        for (const float change : {1e-2F, 1e-4F, 3e-6F, 1e-6F}) {
             for (int i = 0; i < 8; ++i) {
                 const glm::vec3 centre = far * random.unit_vector();
                 const glm::vec3 axis = clear_axis(false, random);
-                out.append("rotation",
-                           ask<rotation_about_point>(out, centre, {axis, change * random.uniform(0.5F, 1)}));
+                const float angle = (i % 2 == 0 ? 10 : 0.1F) * change * random.uniform(0.5F, 1);
+                const float more = change * random.uniform(0.5F, 1) * (random.below(2) == 0 ? 1.0F : -1.0F);
+                out.append("rotation", ask<rotation_about_point>(out, centre, {axis, angle}));
                 out.append("scaling", ask<scaling_about_point>(out, centre, 1.0F + change * random.in_cube()));
+                out.append("along", ask<scaling_along>(out, centre, axis, 1.0F + more));
+                const glm::vec3 near = random.in_cube();
+                out.append("mirrors", ask<reflection_in_line>(out, near + far * axis, axis));
+                const glm::vec3 inside = far * normalize(cross(axis, random.unit_vector()));
+                out.append("mirrors", ask<reflection_in_plane>(out, near + inside, axis));
             }
         }
     }
+}
+
+/// Of three whole numbers two or all have the same size: 0, or not.
+glm::vec3 vector_of_equals(Random& random)
+{
+    const auto number = [&] { return static_cast<float>(1 + random.below(30)); };
+    const auto sign = [&] { return random.below(2) == 0 ? 1.0F : -1.0F; };
+    const float small = random.below(3) == 0 ? 0 : number();
+    const float large = small + (small > 0 && random.below(3) == 0 ? 0 : number());
+    glm::vec3 v(small * sign(), small * sign(), small * sign());
+    v[static_cast<int>(random.below(3))] = large * sign();
+    return v;
 }
 
 /// A vector of whole numbers, the smallest of which is clear, so that multiples of it are exact.
@@ -163,18 +190,18 @@ void record_opposite(Random& random, Recorder& out)
 {
     for (int i = 0; i < 24; ++i) {
         const glm::vec3 from =
-            random_unit(random, -40, 40) * (i < 3 ? glm::vec3(i == 0, i == 1, i == 2) : whole_vector(random));
+            random_unit(random, -40, 40) * (i % 2 == 0 ? vector_of_equals(random) : whole_vector(random)) + 0.0F;
         const auto factor = static_cast<float>(1 + random.below(7));
         const bool first = random.below(2) == 1;
         for (const bool opposite : {first, !first})
             out.append("opposite", ask<alignment>(out, from, (opposite ? -factor : factor) * from + 0.0F));  // no -0
     }
-    for (const float angle : {1e-1F, 1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F}) {
+    for (const float angle : {1e-1F, 1e-3F, 1e-4F, 1e-5F, 3e-6F, 1e-6F}) {
         for (int i = 0; i < 16; ++i) {
             const glm::vec3 from = clear_axis(false, random);
             const glm::vec3 aside = length(from) * normalize(cross(from, random.unit_vector()));
             const glm::vec3 to = from + angle * aside;
-            out.append("nearly", ask<alignment>(out, from, i % 4 == 0 ? to : -to));
+            out.append("nearly", ask<alignment>(out, from, i % 3 == 0 ? to : -to));
         }
     }
 }
@@ -195,17 +222,17 @@ void record_steep(Random& random, Recorder& out)
 
 void record_sizes(Random& random, Recorder& out)
 {
-    for (const float size : {1e-42F, 1e-37F, 1e-30F, 1e-22F, 1e20F, 1e30F, 1e37F}) {
-        for (int i = 0; i < 8; ++i) {
-            const glm::vec3 direction = size * random.unit_vector();
-            const glm::vec3 centre = random.in_cube();
-            out.append("matrix", ask<reflection_in_line>(out, centre, direction));
-            out.append("matrix", ask<reflection_in_plane>(out, centre, direction));
-            out.append("matrix", ask<scaling_along>(out, centre, direction, 0.5F));
-            out.append("matrix", ask<placed_along>(out, centre, direction));
-            out.append("matrix", ask<alignment>(out, clear_axis(true, random), direction));
-            out.append("matrix", ask<rotation_about_point>(out, centre, {direction, random.uniform(0.5F, 3)}));
-        }
+    for (int i = 0; i < 48; ++i) {
+        const float size = i % 2 == 0 ? power_of_ten(-42, -24, random) : power_of_ten(20, 37, random);
+        const glm::vec3 direction = size * random.unit_vector();
+        const glm::vec3 centre = random.in_cube();
+        const glm::vec3 other = clear_axis(true, random);
+        out.append("matrix", ask<reflection_in_line>(out, centre, direction));
+        out.append("matrix", ask<reflection_in_plane>(out, centre, direction));
+        out.append("matrix", ask<scaling_along>(out, centre, direction, random.uniform(-2, 0.5F)));
+        out.append("matrix", ask<placed_along>(out, centre, direction));
+        out.append("matrix", i % 4 < 2 ? ask<alignment>(out, other, direction) : ask<alignment>(out, direction, other));
+        out.append("matrix", ask<rotation_about_point>(out, centre, {direction, random.uniform(0.5F, 3)}));
     }
 }
 

@@ -1,5 +1,5 @@
 // mistake: products of matrices in float, and the angle of an alignment by the arc cosine
-// credit: 72..88
+// credit: 60..78
 // hint: Far from the origin the translation is a difference of nearly equal points, near 0 and 180 degrees the arc
 // cosine has lost its digits, and squares of tiny and huge directions are no floats. Compute in double, and take the
 // angle by atan2.
