@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -49,9 +51,9 @@ void record_pops(Recorder& out, Random& random)
 }
 
 // Far more than the 32 matrices that OpenGL's own stack can hold.
-void record_deep(Recorder& out)
+void record_deep(Recorder& out, Random& random)
 {
-    constexpr int depth = 100'000;
+    const int depth = 100'000 + static_cast<int>(random.below(40'000));
     const std::unique_ptr<MatrixStack> stack = ask_new<make_matrix_stack>(out, "stack");
     if (!stack) return;
     for (int i = 0; i < depth; ++i) {
@@ -75,20 +77,27 @@ void record_two(Recorder& out, Random& random)
     for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i) {
         apply(out, *one, first[i]);
         apply(out, *other, second[i]);
-        out.append("modelview", ask<&MatrixStack::modelview>(out, *one));
-        out.append("modelview", ask<&MatrixStack::modelview>(out, *other));
+        record(out, *one);
+        record(out, *other);
     }
 }
 
-// Each pop brings back exactly what was pushed, however much was composed since.
+// Each pop brings back exactly what was pushed, however much was composed since. Two of three chains are what turns in
+// an animation: in each frame something is drawn a little aside, between a push and a pop.
 void record_long_chains(Recorder& out, Random& random)
 {
     for (int chain = 0; chain < 3; ++chain) {
         const glm::vec3 axis = random.unit_vector();
+        const glm::mat4 aside = rigid(random);
         const std::unique_ptr<MatrixStack> stack = ask_new<make_matrix_stack>(out, "stack");
         if (!stack) return;
         for (int i = 1; i <= 30'000; ++i) {
             ask<&MatrixStack::compose>(out, *stack, glm::rotate(glm::mat4(1), 1e-3F, axis));
+            if (chain > 0) {
+                ask<&MatrixStack::push>(out, *stack);
+                ask<&MatrixStack::compose>(out, *stack, aside);
+                ask<&MatrixStack::pop>(out, *stack);
+            }
             if (i % 3000 != 0) continue;
             out.append("modelview", ask<&MatrixStack::modelview>(out, *stack));
             ask<&MatrixStack::push>(out, *stack);
@@ -100,15 +109,17 @@ void record_long_chains(Recorder& out, Random& random)
     }
 }
 
-// Models in other units: a scale of 1e-14 has a determinant of 1e-42.
+// Models in other units, every other one in a mirror: a scale of 1e-14 has a determinant of 1e-42.
 void record_scales(Recorder& out, Random& random)
 {
-    for (const float scale : {1e-17F, 1e-14F, 1e-13F, 1e-10F, 1e-6F, 1e6F, 1e10F, 1e12F, 1e14F, 1e17F}) {
-        for (int i = 0; i < 5; ++i) {
+    for (const float power : {-17.0F, -14.0F, -12.0F, -9.0F, -6.0F, 6.0F, 9.0F, 12.0F, 14.0F, 17.0F}) {
+        for (int i = 0; i < 6; ++i) {
             const glm::mat4 view = rigid(random);
             const glm::mat4 turn = rigid(random);
-            const glm::vec3 size(scale * random.uniform(1, 3), scale * random.uniform(1, 3),
-                                 -scale * random.uniform(1, 3));
+            const float scale = std::pow(10.0F, power + random.uniform(-0.5F, 0.5F));
+            glm::vec3 size;
+            for (int k = 0; k < 3; ++k) size[k] = scale * random.uniform(1, 3);
+            if (i % 2 == 0) size[static_cast<int>(random.below(3))] *= -1.0F;
             const std::unique_ptr<MatrixStack> stack = ask_new<make_matrix_stack>(out, "stack");
             if (!stack) return;
             ask<&MatrixStack::set_view>(out, *stack, view);
@@ -126,6 +137,7 @@ void record_simple(Recorder& out, Random& random)
     std::vector<Start> starts = {{.color = {0.2F, 0.6F, 0.9F}, .background = {0.1F, 0.1F, 0.2F}}};
     while (starts.size() < 4) starts.push_back(random_start(random));
     Grid<std::uint32_t> all(size, 4 * size);
+    Grid<std::uint32_t> other_colors(size, 4 * size);
     for (int i = 0; i < 4; ++i) {
         const Start& start = starts[static_cast<std::size_t>(i)];
         RecordingPipeline drawn(start);
@@ -135,12 +147,20 @@ void record_simple(Recorder& out, Random& random)
         const Grid<std::uint32_t> cells = filled_cells(drawn, size, size, glm::dvec2(-reach), glm::dvec2(reach));
         std::copy(cells.cells.begin(), cells.cells.end(), all.cells.begin() + i * size * size);
         out.tile("cells", 0, i * size, size, size);
+        // What the figure does not fill with the current colour is a small part of it, and easily wrong by itself.
+        std::replace_copy(cells.cells.begin(), cells.cells.end(), other_colors.cells.begin() + i * size * size,
+                          packed(start.color), 0U);
+        out.tile("triangle", 0, i * size, size, size);
+        for (const Call& call : drawn.calls())
+            if (call.kind == Call::Kind::polyline || call.kind == Call::Kind::primitive)
+                out.append("state", std::span<const float>(matrix_row(8, call.modelview, call.color, call.line_width)));
         const auto filled = [](const Call& call) { return call.kind == Call::Kind::triangles && !call.places.empty(); };
         if (std::none_of(drawn.calls().begin(), drawn.calls().end(), filled)) continue;
         const EventRow after = matrix_row(9, drawn.modelview(), drawn.color(), drawn.line_width(), drawn.depth());
         out.append("state", std::span<const float>(after));
     }
     out.buffer("cells", all);
+    out.buffer("triangle", other_colors);
     record_names(out, "state");
 }
 
@@ -170,7 +190,7 @@ const Driver driver = {
          }
      }},
     {"empty stack", [](Case& c, Recorder& out) { record_pops(out, c.random); }},
-    {"deep", [](Case&, Recorder& out) { record_deep(out); }},
+    {"deep", [](Case& c, Recorder& out) { record_deep(out, c.random); }},
     {"two stacks", [](Case& c, Recorder& out) { record_two(out, c.random); }},
     {"long chains", [](Case& c, Recorder& out) { record_long_chains(out, c.random); }},
     {"tiny and huge", [](Case& c, Recorder& out) { record_scales(out, c.random); }},

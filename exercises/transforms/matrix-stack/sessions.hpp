@@ -14,25 +14,11 @@
 namespace umbral::transforms {
 
 struct Step {
-    enum class Kind { set_view, compose, push, pop };
+    /// The last one is asked where nothing is on the stack: it must throw, and nothing must come of it.
+    enum class Kind { set_view, compose, push, pop, pop_of_nothing };
     Kind kind = Kind::compose;
     glm::mat4 matrix{1};
 };
-
-inline void apply(Recorder& out, MatrixStack& stack, const Step& step)
-{
-    switch (step.kind) {
-        case Step::Kind::set_view: return ask<&MatrixStack::set_view>(out, stack, step.matrix);
-        case Step::Kind::compose: return ask<&MatrixStack::compose>(out, stack, step.matrix);
-        case Step::Kind::push: return ask<&MatrixStack::push>(out, stack);
-        case Step::Kind::pop: return ask<&MatrixStack::pop>(out, stack);
-    }
-}
-
-inline Step set_view(const glm::mat4& matrix) { return {Step::Kind::set_view, matrix}; }
-inline Step compose(const glm::mat4& matrix) { return {Step::Kind::compose, matrix}; }
-inline Step push() { return {Step::Kind::push, {}}; }
-inline Step pop() { return {Step::Kind::pop, {}}; }
 
 /// 0 if a pop goes well, 1 if it throws EmptyStack, 2 if it throws anything else.
 inline float thrown_by_pop(Recorder& out, MatrixStack& stack)
@@ -46,6 +32,23 @@ inline float thrown_by_pop(Recorder& out, MatrixStack& stack)
         return 2;
     }
 }
+
+inline void apply(Recorder& out, MatrixStack& stack, const Step& step)
+{
+    switch (step.kind) {
+        case Step::Kind::set_view: return ask<&MatrixStack::set_view>(out, stack, step.matrix);
+        case Step::Kind::compose: return ask<&MatrixStack::compose>(out, stack, step.matrix);
+        case Step::Kind::push: return ask<&MatrixStack::push>(out, stack);
+        case Step::Kind::pop: return ask<&MatrixStack::pop>(out, stack);
+        case Step::Kind::pop_of_nothing: (void)thrown_by_pop(out, stack); return;
+    }
+}
+
+inline Step set_view(const glm::mat4& matrix) { return {Step::Kind::set_view, matrix}; }
+inline Step compose(const glm::mat4& matrix) { return {Step::Kind::compose, matrix}; }
+inline Step push() { return {Step::Kind::push, {}}; }
+inline Step pop() { return {Step::Kind::pop, {}}; }
+inline Step pop_of_nothing() { return {Step::Kind::pop_of_nothing, {}}; }
 
 /// Only the direction of normals counts: the same matrix, its largest entry 1 or -1.
 inline glm::mat3 up_to_scale(const glm::mat3& matrix)
@@ -177,20 +180,24 @@ inline std::vector<Step> random_session(Random& random, int count, Volume volume
 }
 
 /// Something that leaves a matrix on the stack, or nothing: because nothing was pushed, because all was popped, or
-/// because a frame began.
+/// because a frame began, of which in every other the camera stays where it was. One time in two a pop has failed
+/// before.
 inline std::vector<Step> steps_before_a_pop(Random& random, bool works)
 {
+    const glm::mat4 view = random.below(4) == 0 ? glm::mat4(1) : random_map(random);
+    const glm::mat4 before = random.below(2) == 0 ? view : random_map(random);
     std::vector<Step> steps{compose(random_map(random))};
+    if (random.below(2) == 0) steps.insert(steps.begin(), set_view(before));
+    if (random.below(2) == 0) steps.insert(steps.begin() + random.below(2), pop_of_nothing());
     const std::uint32_t pushes = 1 + random.below(3);
     const std::uint32_t way = random.below(3);
     for (std::uint32_t i = 0; i < pushes; ++i) {
         steps.push_back(push());
         steps.push_back(compose(random_map(random)));
     }
-    const glm::mat4 view = random_map(random);
     if (way == 0) {
         steps.push_back(set_view(view));
-        if (works) steps.insert(steps.end(), {push(), compose(view)});
+        if (works) steps.insert(steps.end(), {push(), compose(before)});
     } else {
         for (std::uint32_t i = works ? 1 : 0; i < pushes; ++i) steps.push_back(pop());
     }
