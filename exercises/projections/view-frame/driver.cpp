@@ -71,6 +71,7 @@ void record_known_views(Variation& vary, Recorder& out)
     for (const Direction& from : {Direction{0, 0, 0},
                                   {90, 0, 0},
                                   {180, 0, 0},
+                                  {-270, 0, 210},
                                   {0, 30, 0},
                                   {0, -90, 0},
                                   {0, 90, 0},
@@ -95,15 +96,36 @@ Direction random_direction(Random& random, float largest)
     return {azimuth, elevation, random.uniform(-largest, largest)};
 }
 
+/// Of four one is straight above or below, where azimuth and roll count all the same, one nearly so, and one after up
+/// to a whole turn in each angle.
+Direction random_direction_of_kind(Random& random, int kind)
+{
+    Direction from = random_direction(random, kind == 3 ? 360.0F : 180.0F);
+    const float pole = random.below(2) == 0 ? 90.0F : -90.0F;
+    if (kind == 1) from.elevation_degrees = pole;
+    if (kind == 2) from.elevation_degrees = pole + from.elevation_degrees * std::pow(10.0F, random.uniform(-5, -1));
+    return from;
+}
+
 void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 200; ++i) {
         record_frame(out, random_view(random));
         const glm::vec3 target = 5.0F * random.in_cube();
-        const float distance = random.uniform(0.5F, 10);
-        const float size = i % 4 == 0 ? std::ldexp(1.0F, static_cast<int>(random.below(61)) - 30) : 1;
-        record_view(out, target, distance, random_direction(random, 180), size);
+        const float distance = random.uniform(0.5F, 8);
+        const float size = i / 4 % 4 == 0 ? std::ldexp(1.0F, static_cast<int>(random.below(61)) - 30) : 1;
+        record_view(out, target, distance, random_direction_of_kind(random, i % 4), size);
     }
+}
+
+/// Of three factors one is usual, one makes a vector as short as a float can be without losing its direction, and one
+/// as long.
+float factor_of_kind(Random& random, int kind)
+{
+    if (kind % 3 == 0) return std::pow(10.0F, random.uniform(-25, 25));
+    // In two steps: the smallest ones are no numbers of all bits.
+    return kind % 3 == 1 ? 1e-5F * std::pow(10.0F, random.uniform(-37, -25))
+                         : std::pow(10.0F, random.uniform(28, 36.5F));
 }
 
 // Only directions count for the axes.
@@ -111,28 +133,37 @@ void record_lengths(Random& random, Recorder& out)
 {
     for (int i = 0; i < 100; ++i) {
         ViewParameters view = random_view(random);
-        view.up *= std::pow(10.0F, random.uniform(-30, 30));
-        if (i % 2 == 1) view.normal *= std::pow(10.0F, random.uniform(-25, 25));
+        view.up *= factor_of_kind(random, i);
+        if (i / 3 % 4 != 3) view.normal *= factor_of_kind(random, i / 3);
         record_frame(out, view);
     }
 }
 
-// A view with a frame and one without, in random order; of usual lengths, and of short ones.
+/// The same view, its `up` turned until the sine of its angle to the normal is near `sine`, or to its other end.
+ViewParameters almost_parallel(const ViewParameters& view, double sine, bool flipped, Random& random)
+{
+    const Placement placement = with_up_near_view({view.normal, glm::vec3(0), view.up}, sine, flipped, random);
+    return {view.target, placement.up, view.normal};
+}
+
+// A view with a frame and one without, in random order, of all lengths: without up or normal, with parallel ones, with
+// both ends of almost parallel ones; beside the latter stands another one that is almost parallel, but less so.
 void record_none(Random& random, Recorder& out)
 {
-    for (int i = 0; i < 40; ++i) {
-        const ViewParameters good = random_view(random);
+    for (int i = 0; i < 48; ++i) {
+        ViewParameters good = random_view(random);
         ViewParameters bad = good;
+        const bool flipped = i / 4 % 2 == 0;
+        const double little = std::pow(10.0F, random.uniform(-1, 0));
         switch (i % 4) {
             case 0: bad.up = glm::vec3(0); break;
             case 1: bad.normal = glm::vec3(0); break;
-            case 2: bad.up = (i % 8 == 2 ? -0.5F : 4.0F) * bad.normal; break;
+            case 2: bad.up = (flipped ? -0.5F : 4.0F) * bad.normal; break;
             default:
-                const Placement parallel =
-                    with_up_near_view({bad.normal, glm::vec3(0), bad.up}, 3e-7, i % 8 == 3, random);
-                bad.up = parallel.up;
+                bad = almost_parallel(bad, 6e-7 * little, flipped, random);
+                good = almost_parallel(good, 1.5e-6 / little, flipped, random);
         }
-        const float scale = i / 4 % 2 == 0 ? 1.0F : 1e-25F;
+        const float scale = i / 8 % 2 == 0 ? 1.0F : std::pow(10.0F, random.uniform(-35, 35));
         const bool first = random.below(2) == 1;
         for (const bool is_bad : {first, !first}) {
             const auto& [target, up, normal] = is_bad ? bad : good;
@@ -143,11 +174,8 @@ void record_none(Random& random, Recorder& out)
 
 void record_almost_parallel(Random& random, Recorder& out)
 {
-    for (const double sine : {1e-2, 1e-3, 1e-4, 1e-5, 2e-6})
-        for (int i = 0; i < 40; ++i) {
-            const Placement camera = with_up_near_view(random_placement(random), sine, i % 2 == 1, random);
-            record_frame(out, {camera.target, camera.up, camera.eye - camera.target});
-        }
+    for (const double sine : {1e-2, 1e-3, 1e-4, 1e-5, 2e-6, 1.25e-6, 7.5e-7})
+        for (int i = 0; i < 40; ++i) record_frame(out, almost_parallel(random_view(random), sine, i % 2 == 1, random));
 }
 
 glm::mat4 view_matrix_of(const std::optional<ViewFrame>& frame)
