@@ -92,8 +92,9 @@ void record_at_rest(Recorder& out, Random& random)
     for (int i = 0; i < 2; ++i) record(out, *android, somewhere(random), "order");
 }
 
-// One joint at a time, by much, by little, and back to rest: what else moves with it?
-void record_joints(Variation& vary, Recorder& out)
+// One joint at a time, by much, by little, and back to rest: what else moves with it? Steps as small as those of a slow
+// animation count as well.
+void record_joints(Variation& vary, Random& random, Recorder& out)
 {
     record_names(out);
     const std::unique_ptr<Android> android = ask_new<make_android>(out, "android");
@@ -106,18 +107,18 @@ void record_joints(Variation& vary, Recorder& out)
         [](Recorder& o, Android& a, double angle) { ask<&Android::set_head>(o, a, angle); }};
     for (Set* const set : setters) {
         const double more = vary.near(1.0, 0.3);
-        for (const double angle : {0.5, 0.5004, -1.25, 0.0}) {
+        for (const double angle : {0.5, 0.5 + 6e-5 + 3e-4 * random.uniform_double(), -1.25, 0.0}) {
             set(out, *android, more * angle);
             record(out, *android, start);
         }
     }
 }
 
-double not_finite(Random& random)
+double not_finite(int which)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const std::array values{infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
-    return values[random.below(3)];
+    const std::array values{infinity, std::numeric_limits<double>::quiet_NaN(), -infinity};
+    return values.at(static_cast<std::size_t>(which) % values.size());
 }
 
 void record_poses(Recorder& out, Random& random)
@@ -129,9 +130,9 @@ void record_poses(Recorder& out, Random& random)
     if (!android) return;
     for (int i = 0; i < 12; ++i) {
         pose(out, *android, random, 3.1);
-        if (random.below(3) == 0) ask<&Android::set_left_arm>(out, *android, not_finite(random));
-        if (random.below(3) == 0) ask<&Android::set_right_arm>(out, *android, not_finite(random));
-        if (random.below(3) == 0) ask<&Android::set_head>(out, *android, not_finite(random));
+        if (i % 3 == 0 || random.below(4) == 0) ask<&Android::set_left_arm>(out, *android, not_finite(i / 3));
+        if (i % 3 == 1 || random.below(4) == 0) ask<&Android::set_right_arm>(out, *android, not_finite(i / 3));
+        if (i % 3 == 2 || random.below(4) == 0) ask<&Android::set_head>(out, *android, not_finite(i / 3));
         record(out, *android, somewhere(random), nullptr, "state");
     }
 }
@@ -149,7 +150,8 @@ void record_two(Recorder& out, Random& random)
     }
 }
 
-// Three angles that are set a hundred thousand times each, in small steps round and round; then ever larger ones.
+// Three angles that are set a hundred thousand times each, in small steps round and round; then ever larger ones, drawn
+// twice.
 void record_long_dance(Recorder& out, Random& random)
 {
     record_names(out);
@@ -165,7 +167,7 @@ void record_long_dance(Recorder& out, Random& random)
     }
     for (const double reach : {1e5, 1e7, 1e9, 5e10}) {
         pose(out, *android, random, reach);
-        record(out, *android, {});
+        for (int draw = 0; draw < 2; ++draw) record(out, *android, {});
     }
 }
 
@@ -173,7 +175,7 @@ void record_long_dance(Recorder& out, Random& random)
 
 const Driver driver = {
     {"at rest", [](Case& c, Recorder& out) { record_at_rest(out, c.random); }},
-    {"joints", [](Case& c, Recorder& out) { record_joints(c.vary, out); }},
+    {"joints", [](Case& c, Recorder& out) { record_joints(c.vary, c.random, out); }},
     {"poses", [](Case& c, Recorder& out) { record_poses(out, c.random); }},
     {"two androids", [](Case& c, Recorder& out) { record_two(out, c.random); }},
     {"long dance", [](Case& c, Recorder& out) { record_long_dance(out, c.random); }},
