@@ -11,13 +11,14 @@
 /// Draws for pipeline/software-pipeline: small pictures for the checks.
 namespace umbral::pipeline {
 
-/// One call of the unit on a picture that holds nothing yet.
+/// One call of the unit on a picture that holds nothing yet, or what an earlier call left.
 struct Call {
     PipelineState state;
     std::vector<ColoredVertex> vertices;
     std::vector<glm::uvec3> triangles;
     int width = 32, height = 24;
     float clear_depth = 1;
+    std::vector<ColoredVertex> earlier;  ///< the same triangles of these vertices come first, filled, the nearest ones
 };
 
 /// No triangle has this colour: pixels that keep it were not drawn.
@@ -27,6 +28,15 @@ inline Layer drawn(Recorder& out, const Call& call)
 {
     Layer layer{Grid<glm::vec3>(call.width, call.height, untouched),
                 Grid<float>(call.width, call.height, call.clear_depth)};
+    if (!call.earlier.empty()) {
+        PipelineState first = call.state;
+        first.culling = Culling::none;
+        first.mode = PolygonMode::fill;
+        const bool reversed = first.viewport.near_depth > first.viewport.far_depth;
+        first.depth.function = reversed ? DepthFunction::greater : DepthFunction::less;
+        first.depth.enabled = first.depth.writes = true;
+        ask<draw_triangles>(out, first, call.earlier, call.triangles, layer);
+    }
     ask<draw_triangles>(out, call.state, call.vertices, call.triangles, layer);
     return layer;
 }
