@@ -16,11 +16,14 @@ void pictures(Case& what, Recorder& out)
     out.image("lake", draw(out, seen(lake()), program, 384, 288));
     out.image("wall", draw(out, seen(wall(Look::places)), program, 192, 192));
     out.image("light", draw(out, seen(wall(Look::light, -1)), program, 192, 192));
-    out.image("cut", draw(out, seen(cut()), program, 192, 192));
+    // The unit of length may be of any size: a part of a unit that is added or compared with shows in one of them.
+    const auto unit = [&](float written) { return what.vary.scaled(written, 2); };
+    out.image("cut", draw(out, in_units(seen(cut()), unit(400)), program, 192, 192));
+    out.image("small cut", draw(out, in_units(seen(cut()), unit(0.002F)), program, 192, 192));
     out.image("bowls", draw(out, seen(bowls(glm::vec3(1))), program, 192, 192));
-    out.image("mirrored bowls", draw(out, in_units(seen(bowls({1, 1, -1})), 0.02F), program, 192, 192));
-    out.image("long normal", draw(out, seen(with_normal(2.5F)), program, 192, 192));
-    out.image("short normal", draw(out, seen(with_normal(0.02F)), program, 192, 192));
+    out.image("mirrored bowls", draw(out, in_units(seen(bowls({1, 1, -1})), unit(2e-5F)), program, 192, 192));
+    out.image("long normal", draw(out, seen(with_normal(what.vary.scaled(500.0F, 2))), program, 192, 192));
+    out.image("short normal", draw(out, seen(with_normal(what.vary.scaled(0.0005F, 2))), program, 192, 192));
     out.image("stretched", draw(out, seen(stretched()), program, 192, 192));
 }
 

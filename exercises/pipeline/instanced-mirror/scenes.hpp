@@ -97,8 +97,13 @@ inline Scene bowls(const glm::vec3& stretch)
     scene.target = {0, 0.1F, 0};
     for (int i = 0; i < 3; ++i) {
         const auto k = static_cast<float>(i);
+        // A turn about its own axis moves no point of a bowl's surface to another place, but does change the matrix: of
+        // the middle one's diagonal one number is negative, though nothing is mirrored.
+        const float aside = i == 1 ? 0.8F : 0.0F;
+        const glm::mat4 tilt = glm::rotate(glm::mat4(1), 0.5F + 0.9F * k, glm::vec3(1, 0, 0.4F * k));
         scene.things.push_back({bowl(),
-                                placed({1.5F * k - 1.5F, 0.85F, 0}, 0.62F * stretch, 0.5F + 0.9F * k, {1, 0, 0.4F * k}),
+                                placed({1.5F * k - 1.5F, 0.85F, 0}, 0.62F * stretch, aside) *
+                                    glm::rotate(tilt, -3.2F * aside, glm::vec3(0, 1, 0)),
                                 i == 1 ? ink::orange : ink::blue, i == 1 ? ink::white : ink::pink});
     }
     return scene;
@@ -133,8 +138,9 @@ inline Scene random_scene(Random& random, Look look)
     Scene scene;
     scene.look = look;
     const float aside = random.uniform(-0.6F, 0.6F);
-    const glm::vec3 normal = glm::normalize(glm::vec3(aside, random.uniform(0.4F, 1), random.uniform(0.3F, 1)));
-    scene.mirror = std::pow(10.0F, random.uniform(-2, 2)) * glm::vec4(normal, random.uniform(0.3F, 0.8F));
+    const float up = random.uniform(0.4F, 1) * (random.below(2) == 0 ? 1.0F : -1.0F);
+    const glm::vec3 normal = glm::normalize(glm::vec3(aside, up, random.uniform(0.3F, 1)));
+    scene.mirror = std::pow(10.0F, random.uniform(-4, 4)) * glm::vec4(normal, random.uniform(0.3F, 0.8F));
     scene.eye = {random.uniform(-1.5F, 1.5F), random.uniform(1, 2), 6};
     scene.target = {0, -0.3F, 0};
     scene.light = {random.uniform(-5, 5), 5, random.uniform(2, 6)};
@@ -153,7 +159,7 @@ inline Scene random_scene(Random& random, Look look)
                                             : shapes::icosphere(3),
                                 placed(place, {x, y, z}, turn, axis), colors[i], ink::white});
     }
-    return in_units(scene, std::pow(10.0F, random.uniform(-2, 2)));
+    return in_units(scene, std::pow(10.0F, random.uniform(-5, 5)));
 }
 
 }
