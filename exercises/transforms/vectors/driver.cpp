@@ -1,3 +1,5 @@
+#include <cmath>
+#include <limits>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -32,7 +34,7 @@ void record_known(Variation& vary, Recorder& out)
     const Couple couples[] = {{{1, 0, 0}, {0, 1, 0}},  {{0, 1, 0}, {0, 0, 1}}, {{0, 0, 1}, {1, 0, 0}},
                               {{1, 2, 2}, {3, 0, 4}},  {{3, 4, 0}, {2, 0, 0}}, {{2, 3, 6}, {0, 0, -5}},
                               {{1, 1, 0}, {-1, 0, 0}}, {{1, 2, 3}, {2, 4, 6}}, {{1, -2, 2}, {-2, 4, -4}},
-                              {{0, -4, 3}, {0, 6, 8}}};
+                              {{0, 0, 4}, {0, 0, -2}}, {{0, -4, 3}, {0, 6, 8}}};
     // Parallel and perpendicular ones are turned by quarters of a turn, which keeps them what they are.
     for (const auto& [a, b] : couples) {
         const ExactMap map = vary.exact_map(1);
@@ -58,44 +60,84 @@ void record_random(Random& random, Recorder& out)
     }
 }
 
-// Pairs of one question about a null vector and one about others, in random order.
+/// On an axis, of another length than 1: not null, though two of its components are.
+glm::vec3 on_an_axis(Random& random)
+{
+    glm::vec3 vector(0);
+    vector[static_cast<int>(random.below(3))] = random.uniform(1.5F, 8) * (random.below(2) == 0 ? 1.0F : -1.0F);
+    return vector;
+}
+
+/// Null, as 0 or as -0.
+glm::vec3 null_vector(Random& random) { return random.below(2) == 0 ? glm::vec3(0) : glm::vec3(-0.0F); }
+
+/// All its components have one sign, so that its products with a null vector are all 0 or all -0.
+glm::vec3 of_one_sign(Random& random)
+{
+    const float sign = random.below(2) == 0 ? 1.0F : -1.0F;
+    return sign * (glm::vec3(1.5F) + random.in_cube());
+}
+
+// Pairs of one question about a null vector and one about others, most of them on an axis, in random order.
 void record_null(Random& random, Recorder& out)
 {
-    for (int i = 0; i < 12; ++i) {
-        const glm::vec3 a = some_length(random) * random.unit_vector();
-        const glm::vec3 b = 2.0F * random.unit_vector();
-        const glm::vec3 c = random.unit_vector();
-        const Couple null = i % 3 == 0   ? Couple{{0, 0, 0}, b}
-                            : i % 3 == 1 ? Couple{a, {0, 0, 0}}
-                                         : Couple{{0, 0, 0}, {0, 0, 0}};
+    for (int i = 0; i < 24; ++i) {
+        const glm::vec3 a = i % 4 < 3 ? on_an_axis(random) : some_length(random) * random.unit_vector();
+        const glm::vec3 b = i % 4 < 2 ? on_an_axis(random) : 2.0F * random.unit_vector();
+        const glm::vec3 other = of_one_sign(random);
+        const glm::vec3 zero = null_vector(random);
+        const glm::vec3 zero_too = null_vector(random);
+        const Couple null = i % 3 == 0   ? Couple{zero, other}
+                            : i % 3 == 1 ? Couple{other, zero}
+                                         : Couple{zero, zero_too};
         const bool swapped = random.below(2) == 1;
         for (const bool is_null : {swapped, !swapped}) {
-            const Couple& couple = is_null ? null : Couple{a, c};
-            out.append("unit", ask<normalised>(out, is_null ? glm::vec3(0) : a));
+            const Couple& couple = is_null ? null : Couple{a, other};
+            out.append("unit", ask<normalised>(out, is_null ? zero : a));
             out.append("angle", ask<angle_between>(out, couple.a, couple.b));
-            out.append("parallel", ask<parallel_part>(out, a, is_null ? glm::vec3(0) : b));
-            out.append("perpendicular", ask<perpendicular_part>(out, a, is_null ? glm::vec3(0) : b));
+            out.append("parallel", ask<parallel_part>(out, other, is_null ? zero : b));
+            out.append("perpendicular", ask<perpendicular_part>(out, other, is_null ? zero : b));
         }
     }
 }
 
-// Squares of these lengths are no floats, or have lost digits. Every fourth couple is exactly parallel, and every
-// fourth of lengths that are far apart.
+/// A power of ten.
+float some_size(Random& random, float lowest, float highest)
+{
+    return std::pow(10.0F, random.uniform(lowest, highest));
+}
+
+/// Of the smallest floats: whole multiples of the very first, up to 2, each component by itself, and not all 0.
+glm::vec3 smallest(Random& random)
+{
+    constexpr float first = std::numeric_limits<float>::denorm_min();
+    glm::vec3 multiples;
+    for (int i = 0; i < 3; ++i) multiples[i] = static_cast<float>(static_cast<int>(random.below(5)) - 2);
+    if (multiples == glm::vec3(0)) multiples.z = 1;
+    return first * multiples;
+}
+
+// Squares of these lengths are no floats, or have lost digits; those of the first quarter would not even be floats if
+// they were not squared. Every fourth couple is exactly parallel, and every fourth of lengths that are far apart.
 void record_sizes(Random& random, Recorder& out)
 {
-    for (const float size : {1e-43F, 1e-40F, 1e-37F, 1e-30F, 1e-23F, 1e-20F, 1e20F, 1e25F, 1e30F, 1e38F}) {
-        for (int i = 0; i < 12; ++i) {
-            const glm::vec3 a = size * random.unit_vector();
-            const glm::vec3 b = size * random.uniform(0.1F, 1) * random.unit_vector();
-            out.append("length", ask<length_of>(out, a));
-            out.append("unit", ask<normalised>(out, a));
-            const glm::vec3 unit = random.unit_vector();
-            const glm::vec3 beside[] = {b, b, (i % 8 < 4 ? -0.5F : 0.5F) * a, unit};
-            out.append("angle", ask<angle_between>(out, a, beside[i % 4]));
-            const glm::vec3 other = random.uniform(0.5F, 1) * random.unit_vector();
-            out.append("parallel", ask<parallel_part>(out, other, b));
-            out.append("perpendicular", ask<perpendicular_part>(out, other, b));
-        }
+    for (int i = 0; i < 128; ++i) {
+        const int kind = i / 4 % 4;
+        const float size = kind == 1   ? some_size(random, -43, -36)
+                           : kind == 2 ? some_size(random, -36, -19)
+                                       : some_size(random, 19.5F, 38);
+        const glm::vec3 a = kind == 0 ? smallest(random) : size * random.unit_vector();
+        const glm::vec3 b = kind == 0 ? smallest(random) : size * random.uniform(0.1F, 1) * random.unit_vector();
+        out.append("length", ask<length_of>(out, a));
+        out.append("unit", ask<normalised>(out, a));
+        const glm::vec3 unit = random.unit_vector();
+        const float multiple = random.below(2) == 0 ? -2.0F : 2.0F;
+        const glm::vec3 half = kind == 3 ? a / 4.0F : a;
+        const glm::vec3 beside[] = {b, b, multiple * half, unit};
+        out.append("angle", ask<angle_between>(out, a, beside[i % 4]));
+        const glm::vec3 other = random.uniform(0.5F, 1) * random.unit_vector();
+        out.append("parallel", ask<parallel_part>(out, other, b));
+        out.append("perpendicular", ask<perpendicular_part>(out, other, b));
     }
 }
 
@@ -115,11 +157,45 @@ void record_large_products(Random& random, Recorder& out)
     }
 }
 
-// Angles of 0.1 to 1e-7, or as far from π: what the long way round computes is the difference of nearly equal numbers.
+// Of any sizes whose product is a float that has all its digits; a third of them nearly at right angles, where the
+// terms of the dot product are a thousand times as long as their sum.
+void record_products(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const float product = random.uniform(-32, 36);
+        const float first = product / 2 + random.uniform(-18, 18);
+        const glm::vec3 direction = clear_axis(false, random);
+        const glm::vec3 aside =
+            i % 3 == 0 ? normalize(cross(direction, random.unit_vector())) + 1e-3F * direction : random.unit_vector();
+        const glm::vec3 a = std::pow(10.0F, first) * direction;
+        const glm::vec3 b = std::pow(10.0F, product - first) * aside;
+        out.append("dot", ask<dot_product>(out, a, b));
+        out.append("cross", ask<cross_product>(out, a, b));
+    }
+}
+
+/// Two whole vectors whose angle is about 10^-`digits`: combinations p u + q v and r u + s v of two short ones with
+/// p s - q r = 1, so that their cross product is that of the short ones.
+Couple whole_couple(float digits, Random& random)
+{
+    const auto small = [&random] { return static_cast<float>(1 + random.below(3)); };
+    const glm::vec3 u(small(), -small(), small());
+    const glm::vec3 v(-small(), small(), small());
+    Couple couple{u, v};
+    const float most = 0.35F * std::pow(10.0F, digits / 2);  // so that all stay whole numbers of 24 bits
+    while (length(couple.a) < most) {
+        couple.a += small() * couple.b;
+        couple.b += small() * couple.a;
+    }
+    return couple;
+}
+
+// Angles of 0.1 to 3e-7, or as far from π: what the long way round computes is the difference of nearly equal numbers.
+// Then whole vectors, down to 1e-12. And angles near a right one, where the sine alone says nothing.
 void record_nearly_parallel(Random& random, Recorder& out)
 {
-    for (const float angle : {1e-1F, 1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F, 3e-7F}) {
-        for (int i = 0; i < 24; ++i) {
+    for (const float angle : {1e-1F, 1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F, 5e-7F, 3e-7F}) {
+        for (int i = 0; i < 9; ++i) {
             // None of its components is so small that the other's rounding would turn it by less than the angle.
             const glm::vec3 a = random.uniform(1, 8) * clear_axis(false, random);
             const glm::vec3 aside = normalize(cross(a, random.unit_vector()));
@@ -129,6 +205,17 @@ void record_nearly_parallel(Random& random, Recorder& out)
             out.append("angle", ask<angle_between>(out, a, b));
             out.append("perpendicular", ask<perpendicular_part>(out, a, b));
         }
+    }
+    for (int i = 0; i < 72; ++i) {
+        const Couple couple = whole_couple(random.uniform(8, 12), random);
+        out.append("cross", ask<cross_product>(out, couple.a, couple.b));
+        out.append("angle", ask<angle_between>(out, couple.a, couple.b));
+    }
+    for (int i = 0; i < 48; ++i) {
+        const glm::vec3 a = random.uniform(1, 8) * random.unit_vector();
+        const glm::vec3 aside = normalize(cross(a, random.unit_vector()));
+        const float lean = std::pow(10.0F, random.uniform(-6, -1)) * (random.below(2) == 0 ? 1.0F : -1.0F);
+        out.append("angle", ask<angle_between>(out, a, aside + lean * a));
     }
 }
 
@@ -140,6 +227,7 @@ const Driver driver = {
     {"null vectors", [](Case& c, Recorder& out) { record_null(c.random, out); }},
     {"tiny and huge", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
     {"large products", [](Case& c, Recorder& out) { record_large_products(c.random, out); }},
+    {"products", [](Case& c, Recorder& out) { record_products(c.random, out); }},
     {"nearly parallel", [](Case& c, Recorder& out) { record_nearly_parallel(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("rosette", draw_rosette(c.vary, out)); }},
 };

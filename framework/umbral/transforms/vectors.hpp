@@ -8,7 +8,7 @@ namespace umbral::transforms {
 // Vectors by their coordinates in a Cartesian frame. All finite floats are allowed, from the smallest to the largest,
 // as long as the result is a float. Names differ from GLM's so that nobody calls one for the other.
 
-/// a·b = a.x b.x + a.y b.y + a.z b.z. The reference is off by half an ulp and 2^-52 |a||b|.
+/// a·b = a.x b.x + a.y b.y + a.z b.z. Off by at most an ulp and 2^-50 |a||b|.
 /// Course: "cálculo del producto escalar", problem 1.8.
 [[nodiscard]] float dot_product(const glm::vec3& a, const glm::vec3& b);
 
