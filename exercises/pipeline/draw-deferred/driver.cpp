@@ -1,10 +1,12 @@
 #include <array>
+#include <span>
 #include <umbral/gl/record_trace.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "../support_gl.hpp"
 #include "../varied.hpp"
+#include "../watched_state.hpp"
 #include "meshes.hpp"
 
 namespace umbral {
@@ -60,6 +62,8 @@ void count_alive(Recorder& out)
     out.append("alive", glm::vec2(living(glIsVertexArray), living(glIsBuffer)));
 }
 
+// Another drawing is drawn between the frames: who keeps only what was drawn last sends it again each time.
+//
 // What is alive is counted beside the trace: deleting the name 0 deletes nothing. What was never drawn goes as well,
 // and what is empty.
 void frames(Case& c, Recorder& out)
@@ -67,13 +71,18 @@ void frames(Case& c, Recorder& out)
     const int petals = c.vary.one_of(8, std::array{6, 7, 9});
     const float hue = hue_shift(c.vary);
     const Canvas canvas(256);
+    const auto other = drawing_of(out, polygon(5, {0.84F, 0.84F, -0.2F}, 0.13F, hue), "other");
+    draw(out, other);
     std::unique_ptr<IndexedDrawing> drawing;
     record_calls(out, "first frame", [&] {
         drawing = drawing_of(out, rosette(petals, 12, hue));
         draw(out, drawing);
     });
     record_calls(out, "later frames", [&] {
-        for (int frame = 0; frame < 3; ++frame) draw(out, drawing);
+        for (int frame = 0; frame < 3; ++frame) {
+            draw(out, other);
+            draw(out, drawing);
+        }
     });
     out.image("fourth frame", canvas.picture());
     count_alive(out);
@@ -89,13 +98,16 @@ void frames(Case& c, Recorder& out)
 }
 
 /// State that has nothing to do with where vertices come from, and for which the software renderer need not compile its
-/// shaders anew.
+/// shaders anew. The current values are those that vertices have where no array feeds them.
 void choose_state(Random& random)
 {
+    choose_watched(random);
     random.below(2) == 0 ? glEnable(GL_SCISSOR_TEST) : glDisable(GL_SCISSOR_TEST);
-    glActiveTexture(GL_TEXTURE0 + random.below(8));
     glLineWidth(static_cast<float>(1 + random.below(6)));
-    glStencilMask(1 + random.below(255));
+    glDepthFunc(random.below(2) == 0 ? GL_LESS : GL_ALWAYS);
+    const float red = random.uniform();
+    glVertexAttrib4f(1, red, random.uniform(), 1 - red, red / 2);
+    glColor4f(random.uniform(), 1 - red, red / 2, 0.5F);
 }
 
 void record_state(Recorder& out)
@@ -105,33 +117,44 @@ void record_state(Recorder& out)
         glGetVertexAttribiv(location, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &value);
         return static_cast<float>(value);
     };
-    const std::array row{state_of(GL_VERTEX_ARRAY_BINDING),
-                         state_of(GL_ARRAY_BUFFER_BINDING),
-                         state_of(GL_ELEMENT_ARRAY_BUFFER_BINDING),
-                         enabled(0),
-                         enabled(1),
-                         state_of(GL_CURRENT_PROGRAM),
-                         state_of(GL_DEPTH_TEST),
-                         state_of(GL_BLEND),
-                         state_of(GL_CULL_FACE),
-                         state_of(GL_SCISSOR_TEST),
-                         state_of(GL_ACTIVE_TEXTURE),
-                         state_of(GL_LINE_WIDTH),
-                         state_of(GL_STENCIL_WRITEMASK),
-                         static_cast<float>(glGetError())};
-    out.columns("state",
-                "GL_VERTEX_ARRAY_BINDING, GL_ARRAY_BUFFER_BINDING, GL_ELEMENT_ARRAY_BUFFER_BINDING, "
-                "attribute 0 enabled, attribute 1 enabled, GL_CURRENT_PROGRAM, GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, "
-                "GL_SCISSOR_TEST, GL_ACTIVE_TEXTURE, GL_LINE_WIDTH, GL_STENCIL_WRITEMASK, glGetError");
+    std::array<GLint, 2> mode{};
+    glGetIntegerv(GL_POLYGON_MODE, mode.data());
+    std::vector<float> row = {state_of(GL_VERTEX_ARRAY_BINDING),
+                              state_of(GL_ARRAY_BUFFER_BINDING),
+                              state_of(GL_ELEMENT_ARRAY_BUFFER_BINDING),
+                              enabled(0),
+                              enabled(1),
+                              state_of(GL_DEPTH_TEST),
+                              state_of(GL_DEPTH_FUNC),
+                              state_of(GL_LINE_WIDTH),
+                              static_cast<float>(mode[0]),
+                              static_cast<float>(mode[1]),
+                              static_cast<float>(glGetError())};
+    std::array<GLfloat, 4> current{};
+    glGetVertexAttribfv(1, GL_CURRENT_VERTEX_ATTRIB, current.data());
+    row.insert(row.end(), current.begin(), current.end());
+    glGetFloatv(GL_CURRENT_COLOR, current.data());
+    row.insert(row.end(), current.begin(), current.end());
+    append_watched(row);
+    const std::string names =
+        "GL_VERTEX_ARRAY_BINDING, GL_ARRAY_BUFFER_BINDING, GL_ELEMENT_ARRAY_BUFFER_BINDING, "
+        "attribute 0 enabled, attribute 1 enabled, GL_DEPTH_TEST, GL_DEPTH_FUNC, GL_LINE_WIDTH, "
+        "GL_POLYGON_MODE front, GL_POLYGON_MODE back, glGetError, current value of attribute 1/4, "
+        "GL_CURRENT_COLOR/4, " +
+        watched_columns();
+    out.columns("state", names);
     out.append("state", std::span<const float>(row));
 }
 
+// Every third mesh is empty.
 void state(Case& c, Recorder& out)
 {
     const Canvas canvas(64);
-    for (int round = 0; round < 6; ++round) {
+    for (int round = 0; round < 9; ++round) {
         choose_state(c.random);
-        auto drawing = drawing_of(out, polygon(5 + round, {0, 0, 0}, 0.8F, 0));
+        const ColoredMesh mesh =
+            round % 3 == 2 ? ColoredMesh{} : polygon(5 + round, {0, 0, 0}, 0.8F, c.random.uniform());
+        auto drawing = drawing_of(out, mesh);
         record_state(out);
         for (int frame = 0; frame < 3; ++frame) {
             choose_state(c.random);
