@@ -84,10 +84,11 @@ inline void record_android_moves(Recorder& out, Random& random)
     if (!is_complete(one) || !is_complete(other)) return;
     glm::mat4* const matrices[] = {one.left_arm, one.right_arm, one.head, one.limb};
     const char* const names[] = {"one.left_arm", "one.right_arm", "one.head", "one.limb"};
+    // About any axis: about a joint's own one, a turn before its place and one behind it may come to the same.
     const auto motion = [&](int i) {
         const float angle = random.uniform(0.3F, 1.5F);
-        if (i == 3) return glm::scale(glm::mat4(1), {1, random.uniform(0.6F, 1.4F), 1});
-        return glm::rotate(glm::mat4(1), angle, i == 2 ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0));
+        const glm::mat4 turned = glm::rotate(glm::mat4(1), angle, random.unit_vector());
+        return i == 3 ? glm::scale(turned, {1, random.uniform(0.6F, 1.4F), 1}) : turned;
     };
     for (int i = 0; i < 4; ++i) {
         pose(out, one, matrices[i], names[i], motion(i));

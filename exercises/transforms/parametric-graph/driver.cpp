@@ -6,6 +6,7 @@
 #include "android_graphs.hpp"
 #include "motion.hpp"
 #include "parts.hpp"
+#include "refusals.hpp"
 
 namespace umbral {
 namespace {
@@ -158,60 +159,10 @@ void record_pointers(Recorder& out, Random& random)
     draw(out, *node);
 }
 
-/// 0: a pointer, 1: null, 2: std::out_of_range, 3: std::invalid_argument, 4: something else.
-std::int32_t came_of_matrix_at(Recorder& out, GraphNode& node, std::size_t index)
-{
-    try {
-        return ask<&GraphNode::matrix_at>(out, node, index) == nullptr ? 1 : 0;
-    } catch (const std::out_of_range&) {
-        return 2;
-    } catch (const std::invalid_argument&) {
-        return 3;
-    } catch (...) {
-        return 4;
-    }
-}
-
-std::int32_t came_of_adding(Recorder& out, GraphNode& node, const std::shared_ptr<const Drawable>& object)
-{
-    try {
-        ask<&GraphNode::add_object>(out, node, object);
-        return 0;
-    } catch (const std::invalid_argument&) {
-        return 3;
-    } catch (...) {
-        return 4;
-    }
-}
-
-// In pairs: what is in order, and what is not.
-void record_refused(Recorder& out, Random& random)
-{
-    const std::shared_ptr<GraphNode> node = ask_new<make_graph_node>(out, "node");
-    if (!node) return;
-    out.columns("refused", "what came of it (0: taken; 1: null; 2: out_of_range; 3: invalid_argument; 4: other)");
-    std::size_t size = 0;
-    for (int i = 0; i < 20; ++i) {
-        const std::size_t transformation = ask<&GraphNode::add_transformation>(out, *node, move(1, 1));
-        const std::size_t object = transformation + 1;
-        const bool bad_first = random.below(2) == 1;
-        const std::size_t beyond = object + 1 + (i % 3 == 0 ? 0 : random.below(1'000'000));
-        for (const bool is_bad : {bad_first, !bad_first})
-            out.append("refused", came_of_adding(out, *node, is_bad ? nullptr : numbered(1)));
-        for (const bool is_bad : {bad_first, !bad_first})
-            out.append("refused", came_of_matrix_at(out, *node, is_bad ? object : transformation));
-        for (const bool is_bad : {!bad_first, bad_first})
-            out.append("refused", came_of_matrix_at(out, *node, is_bad ? beyond : transformation));
-        size = beyond;
-    }
-    out.append("refused", came_of_matrix_at(out, *node, size));
-    out.append("refused", came_of_matrix_at(out, *node, 0));
-}
-
 /// Questions to its root begin with this line and all that moved it since.
-FacadeGraph new_facade(Recorder& out, const std::string& name, int first_part, float height, float angle)
+FacadeGraph new_facade(Recorder& out, const std::string& name, const FacadeParts& parts, float height, float angle)
 {
-    FacadeGraph facade = ask<make_facade>(out, numbered_facade(first_part), height, angle);
+    FacadeGraph facade = ask<make_facade>(out, parts, height, angle);
     if (Questions* const questions = out.questions(); questions != nullptr && facade.root)
         questions->set_object(facade.root.get(), name + ".root",
                               "const FacadeGraph " + name + " = make_facade(parts, " +
@@ -243,22 +194,35 @@ void record_facade(Variation& vary, Recorder& out)
     int part = 1;
     for (const auto& [height, angle] :
          {std::pair{1.5F, 0.0F}, {3.0F, 0.0F}, {1.5F, 1.5F}, {0.75F, -0.25F}, {0.0F, 0.5F}}) {
-        const FacadeGraph facade = new_facade(out, "facade", part, vary.scaled(height, 1.3F), vary.near(angle, 0.2F));
+        const FacadeGraph facade =
+            new_facade(out, "facade", numbered_facade(part), vary.scaled(height, 1.3F), vary.near(angle, 0.2F));
         part += 3;
         draw(out, facade);
     }
 }
 
-// Two facades, whose parameters are set again and again, by the setters and through the pointers.
+/// From 0.03 to 40, one in four upside down, and one in eight none.
+float some_height(Random& random)
+{
+    const float size = std::pow(10.0F, random.uniform(-1.5F, 1.6F));
+    const float signs[] = {1, 1, 1, 1, 1, -1, -1, 0};
+    return signs[random.below(8)] * size;
+}
+
+// Three facades, two of them of the same parts, whose parameters are set again and again, by the setters and through
+// the pointers.
 void record_facade_moves(Recorder& out, Random& random)
 {
     record_names(out);
-    const FacadeGraph facades[] = {new_facade(out, "first", 1, 1.5F, 0), new_facade(out, "second", 4, 2, 0.5F)};
+    const FacadeParts parts = numbered_facade(1);
+    const FacadeGraph facades[] = {new_facade(out, "first", parts, 1.5F, 0), new_facade(out, "second", parts, 2, 0.5F),
+                                   new_facade(out, "third", numbered_facade(4), 1, 0.25F)};
+    const char* const names[] = {"first", "second", "third"};
     for (int i = 0; i < 24; ++i) {
-        const std::uint32_t which = random.below(2);
+        const std::uint32_t which = random.below(3);
         const FacadeGraph& facade = facades[which];
-        const std::string name = which == 0 ? "first" : "second";
-        const float height = random.uniform(0.5F, 4) * (random.below(4) == 0 ? 0.05F : 1.0F);
+        const std::string name = names[which];
+        const float height = some_height(random);
         const float angle = random.uniform(-3, 3) * (random.below(4) == 0 ? 8.0F : 1.0F);
         if (!facade.root || facade.rotation == nullptr || facade.stretch == nullptr) return;
         if (i % 4 != 1) {
