@@ -4,6 +4,7 @@
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
+#include "lamps_and_pixels.hpp"
 #include "shadows.hpp"
 
 namespace umbral {
@@ -11,7 +12,6 @@ namespace {
 
 using namespace lighting;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 void record_pixel(Recorder& out, const glm::vec3& light) { out.append("pixels", glm::vec3(ask<to_pixel>(out, light))); }
@@ -73,59 +73,38 @@ void by_hand(Variation& vary, Recorder& out)
     }
 }
 
-// All codes, and back again. The channels run against each other; varied, each of them begins elsewhere.
-void all_codes(Variation& vary, Recorder& out)
+// All codes, and back again. The channels run against each other; varied, each of them begins elsewhere. Then pixels of
+// which each differs from the one before in a single channel.
+void all_codes(Variation& vary, Random& random, Recorder& out)
 {
     const glm::ivec3 first = vary.near(glm::ivec3(0), 127);
     const auto pixel = [&](int code) { return glm::u8vec3((first + glm::ivec3(code, 255 - code, code * 7)) & 255); };
     for (int code = 0; code < 256; ++code) out.append("light", ask<to_light>(out, pixel(code)));
+    glm::u8vec3 changing(random_code(random));
+    for (int i = 0; i < 256; ++i) {
+        changing[i % 3] = static_cast<std::uint8_t>(changing[i % 3] + 1 + random.below(255));
+        out.append("light", ask<to_light>(out, changing));
+    }
     for (int code = 0; code < 256; ++code) {
         const glm::vec3 light = to_light(pixel(code));
         out.append("back", glm::vec3(ask<to_pixel>(out, light)));
     }
 }
 
-std::vector<Lamp> random_lamps(Random& random, std::uint32_t count)
-{
-    std::vector<Lamp> lamps(count);
-    for (Lamp& lamp : lamps) {
-        lamp.color = 0.5F + 0.5F * random.in_cube();
-        lamp.amount = random.uniform(0, 3);
-    }
-    return lamps;
-}
-
-// Light whose code lies at least 0.1 away from the border to the next one, so that no rounding decides.
-float clear_light(Random& random)
-{
-    const double code = random.below(255) + random.uniform_double() * 0.8 - 0.4;
-    return static_cast<float>(srgb_decoded(std::abs(code) / 255));
-}
-
-glm::vec3 clear_color(Random& random)
-{
-    const float red = clear_light(random);
-    const float green = clear_light(random);
-    return {red, green, clear_light(random)};
-}
-
-glm::u8vec3 random_pixel(Random& random)
-{
-    const std::uint32_t bits = random.bits();
-    return {bits >> 24U, bits >> 16U & 255U, bits >> 8U & 255U};
-}
-
 void at_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
-        out.append("sums", ask<add_lights>(out, random_lamps(random, 2 + random.below(5))));
+        out.append("sums", ask<add_lights>(out, lamps_of_kind(random, i)));
         // Half of them dark, where the line is.
         const float size = i % 2 == 0 ? 1.0F : 0.02F;
         out.append("encoded", ask<encode_srgb>(out, random.uniform(0, size)));
         out.append("decoded", ask<decode_srgb>(out, random.uniform(0, 5 * std::min(size, 0.2F))));
-        record_pixel(out, clear_color(random));
-        std::vector<glm::u8vec3> pixels(2 + random.below(4));
-        for (glm::u8vec3& pixel : pixels) pixel = random_pixel(random);
+        glm::vec3 color = clear_color(random);
+        record_pixel(out, color);
+        // The same but for one channel.
+        color[i % 3] = clear_light(random);
+        record_pixel(out, color);
+        std::vector<glm::u8vec3> pixels = pixels_of_kind(random, i);
         record_mean(out, pixels);
         if (i % 2 != 0) continue;
         // As many pixels with the same first one; and, mostly, more of them than a byte can count.
@@ -140,14 +119,12 @@ void at_random(Random& random, Recorder& out)
 // Each channel may be dark or too bright on its own.
 void out_of_range(Random& random, Recorder& out)
 {
-    for (const float light : {-1e-6F, -0.25F, -5.0F, -infinity, 1.000001F, 1.5F, 40.0F, 1e30F, infinity}) {
-        out.append("encoded", ask<encode_srgb>(out, light));
-        out.append("decoded", ask<decode_srgb>(out, light));
-        for (int channel = 0; channel < 3; ++channel) {
-            glm::vec3 color = clear_color(random);
-            color[channel] = light;
-            record_pixel(out, color);
-        }
+    for (int i = 0; i < 24; ++i) {
+        out.append("encoded", ask<encode_srgb>(out, out_of_range_of_kind(random, i % 8)));
+        out.append("decoded", ask<decode_srgb>(out, out_of_range_of_kind(random, i % 8)));
+        glm::vec3 color = clear_color(random);
+        color[i / 8] = out_of_range_of_kind(random, i % 8);
+        record_pixel(out, color);
     }
 }
 
@@ -187,20 +164,23 @@ void bright(Random& random, Recorder& out)
         // Each lamp by a factor of its own, or all of them by one: after a bright sum comes a dim one.
         float factor = 1;
         for (std::size_t k = 0; k < lamps.size(); ++k) {
-            if (k == 0 || i % 2 == 0) factor = std::pow(10.0F, i % 4 == 3 ? 0.0F : random.uniform(0, 7));
+            if (k == 0 || i % 2 == 0)
+                factor = std::pow(10.0F, i % 4 == 3 ? 0.0F : random.uniform(0, i % 3 == 0 ? 30.0F : 7.0F));
             lamps[k].color *= factor;
         }
         out.append("sums", ask<add_lights>(out, lamps));
     }
 }
 
-// One bright lamp first, and very many dim ones, each of them less than the last digit of the sum in float.
+// One bright lamp, and very many dim ones, each of them less than the last digit of the sum in float. A thousand of
+// them, or more than 16 bits can count.
 void many_lamps(Random& random, Recorder& out)
 {
     for (int i = 0; i < 8; ++i) {
-        std::vector<Lamp> lamps = random_lamps(random, 3000);
+        const float many = i == 5 ? 70'000.0F : 1000 * std::pow(20.0F, random.uniform());
+        std::vector<Lamp> lamps = random_lamps(random, static_cast<std::uint32_t>(many));
         for (Lamp& lamp : lamps) lamp.amount *= 1e-4F;
-        lamps.front() = {glm::vec3(8000) + 500.0F * random.in_cube(), 1};
+        lamps[i % 2 == 0 ? 0 : random.below(100)] = {glm::vec3(8000) + 500.0F * random.in_cube(), 1};
         out.append("sums", ask<add_lights>(out, lamps));
     }
 }
@@ -220,14 +200,13 @@ void beside_borders(Variation& vary, Recorder& out)
 void to_the_last_digit(Random& random, Recorder& out)
 {
     for (int i = 0; i < 200; ++i) {
-        // Every fourth is dark, down to where no picture tells it from 0.
-        const float dark = i % 4 == 0 ? std::exp2(random.uniform(-60, -8)) : 1.0F;
+        // Every second is dark, down to where no picture tells it from 0.
+        const float dark = i % 2 == 0 ? std::exp2(random.uniform(-60, -12)) : 1.0F;
         const float light = std::exp2(random.uniform(-8, 0));
         out.append("encoded", ask<encode_srgb>(out, dark * light));
         out.append("decoded", ask<decode_srgb>(out, dark * random.uniform(0.05F, 1)));
-        if (i % 4 != 1) continue;
         // Close to where the line ends: the curve beside it is another one, by a thousandth and less.
-        const float aside = (i % 8 == 1 ? 0.1F : -0.1F) * std::exp2(random.uniform(-10, 0));
+        const float aside = (i % 2 == 0 ? 0.1F : -0.1F) * std::exp2(random.uniform(-10, 0));
         out.append("encoded", ask<encode_srgb>(out, 0.0031308F * (1 + aside)));
         out.append("decoded", ask<decode_srgb>(out, 0.04045F * (1 + aside)));
     }
@@ -248,7 +227,7 @@ void record_laws(Random& random, Recorder& out)
 
 const Driver driver = {
     {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
-    {"codes", [](Case& c, Recorder& out) { all_codes(c.vary, out); }},
+    {"codes", [](Case& c, Recorder& out) { all_codes(c.vary, c.random, out); }},
     {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
     {"out of range", [](Case& c, Recorder& out) { out_of_range(c.random, out); }},
     {"not numbers", [](Case& c, Recorder& out) { not_numbers(c.random, out); }},
