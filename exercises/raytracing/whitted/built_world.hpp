@@ -34,12 +34,12 @@ inline glm::vec3 coloured_sky(const glm::vec3& direction)
     return {0.5F + 0.4F * d.x, 0.6F - 0.3F * d.y + 0.1F * d.x, 0.5F + 0.35F * d.z};
 }
 
-/// Smooth textures, each number another.
+/// Smooth textures, each number another, which do not repeat themselves.
 inline glm::vec3 smooth_texture(std::uint32_t texture, const glm::vec2& uv)
 {
     if (texture == 0) return {5, 6, 7};  // there is none
-    const float turns = 6.2831853F * (uv.x + 0.37F * static_cast<float>(texture));
-    return {0.6F + 0.3F * std::sin(turns), 0.5F + 0.4F * std::cos(6.2831853F * uv.y), 0.35F + 0.2F * std::cos(turns)};
+    const float turns = 4.9F * uv.x + 2.3F * static_cast<float>(texture);
+    return {0.6F + 0.3F * std::sin(turns), 0.5F + 0.4F * std::cos(5.6F * uv.y), 0.35F + 0.2F * std::cos(turns)};
 }
 
 class BuiltWorld : public World {

@@ -120,11 +120,13 @@ void levels(Variation& vary, Recorder& out)
     BuiltWorld world;
     for (const float x : {-2.0F, 2.0F}) world.panels.push_back({{x, -4, -4}, {0, 8, 0}, {0, 0, 8}, silver});
     world.sources.push_back({{0, 5, 1, 0}, {1, 1, 2}});
+    const Ray way{{-1, 0.5F, 0.25F}, {1, 0, 0}};
     for (const bool with_pane : {false, true}) {
         if (with_pane) world.panels.push_back({{0.5F, -4, -4}, {0, 8, 0}, {0, 0, 8}, pane});
-        for (world.levels = 1; world.levels <= (with_pane ? 6 : 12); ++world.levels)
-            for (int level = 1; level <= world.levels + 1; level += 2)
-                record(out, world, {{-1, 0.5F, 0.25F}, {1, 0, 0}}, level);
+        for (world.levels = 1; world.levels <= (with_pane ? 6 : 12); ++world.levels) {
+            for (int level = 1; level <= world.levels; level += 2) record(out, world, way, level);
+            for (int level = world.levels + 1; level <= world.levels + 2; ++level) record(out, world, way, level);
+        }
     }
 }
 
@@ -136,7 +138,9 @@ void glass_bodies(Recorder& out, Random& random)
         Material glass = matt(random);
         glass.refracted = random.uniform(0.5F, 1);
         glass.refracted_color = random_color(random);
+        // Every other one is a ball of air in a world of glass.
         glass.index = random.uniform(1.1F, 2);
+        if (i / 2 % 2 == 0) glass.index = 1 / glass.index;
         if (i % 3 == 0) glass.mirrored = random.uniform(0.2F, 0.5F);
         const glm::vec3 centre = 2.0F * random.in_cube();
         world.balls.push_back({centre, random.uniform(0.5F, 1.5F), glass});
@@ -184,8 +188,8 @@ const Driver driver = {
      [](Case& c, Recorder& out) {
          looks(out, c.random, 150, [](Random& random, std::uint32_t) { return many_lights(random); });
      }},
-    {"mirror", [](Case& c, Recorder& out) { looks(out, c.random, 90, mirror); }},
-    {"glass", [](Case& c, Recorder& out) { looks(out, c.random, 150, interface_of_glass); }},
+    {"mirror", [](Case& c, Recorder& out) { looks(out, c.random, 90, mirror_of_the_far_off); }},
+    {"glass", [](Case& c, Recorder& out) { looks(out, c.random, 150, glass_before_the_far_off); }},
     {"levels", [](Case& c, Recorder& out) { levels(c.vary, out); }},
     {"glass bodies", [](Case& c, Recorder& out) { glass_bodies(out, c.random); }},
     {"random worlds", [](Case& c, Recorder& out) { random_worlds(out, c.random); }},

@@ -24,17 +24,18 @@ inline Material matt(Random& random)
     return material;
 }
 
-/// How much a surface mirrors or lets through, as a part of its light; every fourth time hardly anything.
+/// How much a surface mirrors or lets through, as a part of its light; every third time hardly anything.
 inline float random_part(Random& random)
 {
-    return random.below(4) == 0 ? random.uniform(0.01F, 0.05F) : random.uniform(0.2F, 1);
+    return random.below(3) == 0 ? random.uniform(0.01F, 0.05F) : random.uniform(0.2F, 1);
 }
 
+/// A lamp about this far from the origin, or a sun, whose direction has any length.
 inline lighting::Light random_light(Random& random, float distance)
 {
     const glm::vec3 way = random.unit_vector();
     const bool is_place = random.below(2) == 0;
-    const float reach = is_place ? distance * random.uniform(0.7F, 1.3F) : random.uniform(0.2F, 5);
+    const float reach = is_place ? distance * random.uniform(0.7F, 1.3F) : std::exp2(random.uniform(-10, 10));
     return {glm::vec4(reach * way, is_place ? 1 : 0), random_color(random, 2)};
 }
 
@@ -43,6 +44,13 @@ inline glm::vec3 tilted(const glm::vec3& axis, double sine, Random& random)
 {
     const glm::dvec3 along(axis);
     return glm::vec3(normalize(std::sqrt(1 - sine * sine) * along + sine * perpendicular_to(along, random)));
+}
+
+/// The sine of the angle between a normal and a direction; every fifth time the direction nearly lies in the surface.
+inline double random_sine(Random& random, float most)
+{
+    const double grazing = random.uniform(0.01F, 0.05F);
+    return random.below(5) == 0 ? std::sqrt(1 - grazing * grazing) : double{random.uniform(0, most)};
 }
 
 /// What light_towards is asked.
@@ -61,34 +69,39 @@ inline Look look_at_panel(const Material& material, Random& random)
     const glm::vec3 v = 8.0F * normalize(cross(normal, u));
     const glm::vec3 position = 3.0F * random.in_cube();
     const glm::vec2 uv(random.uniform(0.3F, 0.7F), random.uniform(0.3F, 0.7F));
-    Look look{{}, {1, position, normal, uv, material}, tilted(normal, random.uniform(0, 0.95F), random)};
-    if (random.below(3) == 0) look.v = -look.v;
+    Look look{{}, {1, position, normal, uv, material}, tilted(normal, random_sine(random, 0.95F), random)};
+    if (random.below(2) == 0) look.v = -look.v;
     look.world.panels.push_back({position - uv.x * u - uv.y * v, u, v, material});
     look.world.levels = 3;
     return look;
 }
 
 /// A light and a ball in its way, and one that is not: beyond the light, behind the panel, or beside. The panel itself
-/// is in nobody's way. Every third lamp is in its way by a small globe of its own; other lamps are far away, and what
-/// is in their way lies close to the point.
+/// is in nobody's way. Every third lamp is in its way by a small globe of its own; of other lights some are far away,
+/// or suns of long directions, and what is in their way is small and lies close to the point. Else what is in a sun's
+/// way may be as far off as a mountain.
 inline void add_shadow_pair(std::vector<Look>& looks, int kind, Random& random)
 {
     Look dark = look_at_panel(matt(random), random);
     const glm::vec3 side = dot(dark.v, dark.hit.normal) > 0 ? dark.hit.normal : -dark.hit.normal;
     const glm::vec3 way = tilted(random.below(4) == 0 ? -side : side, 0.8 * random.uniform_double(), random);
     const bool is_place = kind % 2 == 0;
-    const bool is_far = kind % 10 == 4 || kind % 10 == 8;
-    const float near_by = is_place ? random.uniform(2, 8) : random.uniform(0.5F, 2);
-    const float distance = is_far ? std::exp2(near_by + 3) : near_by;
+    const bool is_close = kind % 10 == 3 || kind % 10 == 4 || kind % 10 == 7 || kind % 10 == 8;
+    const float small_number = random.uniform(2, 8);
+    const float reach = is_place ? small_number : std::exp2(random.uniform(-10, 6));
+    const float distance = !is_close ? reach : std::exp2(is_place ? small_number + 3 : random.uniform(7, 10));
     dark.world.sources.push_back(
         {is_place ? glm::vec4(dark.hit.position + distance * way, 1) : glm::vec4(distance * way, 0),
          random_color(random, 2)});
+    const float share = random.uniform(0.25F, 0.75F);
+    const float on_the_way = is_place ? share * distance : std::exp2(random.uniform(0, 14));
     Ball ball{{}, random.uniform(0.1F, 0.3F), matt(random)};
     if (random.below(3) == 0) ball.material.refracted = 1;
-    if (is_far) ball.radius /= 32;
-    const float share = random.uniform(0.25F, 0.75F);
-    const float on_the_way = is_place ? share * distance : random.uniform(1, 60);
-    const float between = is_far ? (2 + share) * ball.radius : on_the_way;
+    if (is_close)
+        ball.radius = std::exp2(random.uniform(-12, -6));
+    else if (!is_place)
+        ball.radius *= std::max(1.0F, on_the_way / 32);
+    const float between = is_close ? (2 + share) * ball.radius : on_the_way;
     ball.centre = dark.hit.position + between * way;
     Look lit = dark;
     const float small = std::exp2(random.uniform(-8, -3));
@@ -97,7 +110,7 @@ inline void add_shadow_pair(std::vector<Look>& looks, int kind, Random& random)
     switch (kind / 2 % 4) {
         case 0: ball.centre += beside; break;
         case 1: ball.centre = dark.hit.position - (0.5F + aside) * way; break;
-        default: ball.centre = dark.hit.position + (is_place ? 1.25F * distance + 1 : -0.8F) * way;
+        default: ball.centre = dark.hit.position + (is_place ? 1.25F * distance + 1 : -0.8F - aside) * way;
     }
     Ball blocking = ball;
     blocking.centre = dark.hit.position + between * way;
@@ -109,17 +122,19 @@ inline void add_shadow_pair(std::vector<Look>& looks, int kind, Random& random)
     looks.push_back(swapped ? dark : lit);
 }
 
-/// Up to five lights, and now and then ten dim ones, on a panel with a few balls about it; half of them with a texture.
+/// Up to five lights, or many dim ones, on a panel with a few balls about it; half of them with a texture, whose
+/// coordinates may lie outside [0, 1].
 inline Look many_lights(Random& random)
 {
     Material material = matt(random);
     material.texture = random.below(2) * (1 + random.below(5));
     Look look = look_at_panel(material, random);
+    look.hit.uv += 2.0F * glm::vec2(random.in_cube());
     look.world.global = random_color(random, 0.3F);
-    const std::uint32_t count = random.below(10) == 0 ? 10 : random.below(6);
+    const std::uint32_t count = random.below(3) == 0 ? 9 + random.below(16) : random.below(6);
     for (std::uint32_t i = 0; i < count; ++i) {
         look.world.sources.push_back(random_light(random, 6));
-        if (count == 10) look.world.sources.back().color *= 0.4F;
+        if (count > 5) look.world.sources.back().color *= 4 / static_cast<float>(count);
     }
     // The first one is seen mirrored, so that there is a highlight.
     if (count > 0) {
@@ -137,7 +152,25 @@ inline void add_lights(BuiltWorld& world, std::uint32_t count, Random& random)
     for (std::uint32_t i = 0; i < count; ++i) world.sources.push_back(random_light(random, 20));
 }
 
-/// A mirror under a sky that differs in all directions; in a third of the questions the level is the highest.
+/// A level, which is the highest in a quarter of the questions.
+inline void set_levels(Look& look, Random& random)
+{
+    look.world.levels = 2 + static_cast<int>(random.below(7));
+    const auto below_the_highest = static_cast<std::uint32_t>(look.world.levels - 1);
+    look.level = random.below(4) == 0 ? look.world.levels : 1 + static_cast<int>(random.below(below_the_highest));
+}
+
+/// A large ball that shines, so far away in this direction that only rays without end find it.
+inline void add_far_off(Look& look, const glm::vec3& direction, float radius, Random& random)
+{
+    const float distance = std::exp2(random.uniform(6, 18));
+    Material shining;
+    shining.local.emission = random_color(random);
+    const glm::vec3 aside = 0.4F * radius * random.in_cube();
+    look.world.balls.push_back({look.hit.position + distance * (direction + aside), radius * distance, shining});
+}
+
+/// A mirror under a sky that differs in all directions.
 inline Look mirror(Random& random, std::uint32_t lights)
 {
     Material material = matt(random);
@@ -145,8 +178,16 @@ inline Look mirror(Random& random, std::uint32_t lights)
     material.mirrored_color = random_color(random);
     Look look = look_at_panel(material, random);
     add_lights(look.world, lights, random);
-    look.level = 1 + static_cast<int>(random.below(3));
+    set_levels(look, random);
     return look;
+}
+
+/// An index of refraction above 1 or, as often, below; or 1.
+inline float random_index(Random& random)
+{
+    const float above = random.uniform(1.1F, 2);
+    const std::uint32_t kind = random.below(5);
+    return kind == 0 ? 1 : kind < 3 ? above : 1 / above;
 }
 
 /// A surface between two media, at an angle that is not near the one of total reflection. There is nothing else, so
@@ -156,19 +197,33 @@ inline Look interface_of_glass(Random& random, std::uint32_t lights)
     Material material = matt(random);
     material.refracted = random_part(random);
     material.refracted_color = random_color(random);
-    material.index = random.below(4) == 0 ? 1 : random.uniform(0.6F, 2.4F);
+    material.index = random_index(random);
     const bool is_inside = random.below(2) == 0;
     const double q = is_inside ? double{material.index} : 1 / double{material.index};
-    double sine = 0.97 * random.uniform_double();
-    // Every other one that can be reflected totally is.
-    if (q > 1.1 && random.below(2) == 0) sine = std::min(0.98, (1.05 + 0.3 * random.uniform_double()) / q);
+    double sine = random_sine(random, 0.97F);
+    // Two of three that can be reflected totally are.
+    if (q > 1.05 && random.below(3) > 0) sine = std::min(0.98, (1.05 + 0.3 * random.uniform_double()) / q);
     if (std::abs(q * sine - 1) < 0.03) sine *= 0.9;
     const glm::vec3 v = random.unit_vector();
     const glm::vec3 normal = tilted(v, sine, random);
     Look look{{}, {1, random.in_cube(), is_inside ? -normal : normal, {0, 0}, material}, v};
     add_lights(look.world, lights, random);
-    look.level = 1 + static_cast<int>(random.below(3));
-    look.world.levels = 3;
+    set_levels(look, random);
+    return look;
+}
+
+/// The mirror with something far off that is seen in it, where there is no light; and the glass with something far off
+/// behind it.
+inline Look mirror_of_the_far_off(Random& random, std::uint32_t lights)
+{
+    Look look = mirror(random, lights);
+    if (lights == 0) add_far_off(look, glm::reflect(-look.v, look.hit.normal), 0.3F, random);
+    return look;
+}
+inline Look glass_before_the_far_off(Random& random, std::uint32_t lights)
+{
+    Look look = interface_of_glass(random, lights);
+    if (lights == 0) add_far_off(look, -look.v, 0.6F, random);
     return look;
 }
 
