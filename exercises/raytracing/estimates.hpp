@@ -41,7 +41,8 @@ void record_estimate(Recorder& out, Random& random, Estimate&& estimate)
         Random again = first;
         const float once = estimate(3, first);
         Random other = own_random(random);
-        out.append("again", estimate(3, other) == once ? 1.0F : 0.0F);
+        // Another number of samples each time, so that what takes turns between calls is not always at the same turn.
+        out.append("again", estimate(1 + i, other) == once ? 1.0F : 0.0F);
         out.append("again", estimate(3, again) == once ? 1.0F : 0.0F);
     }
     const double one = variance(estimate, 1, repeats, random);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../rays.hpp"
+#include "directions.hpp"
 #include "room.hpp"
 
 /// What the unit is asked beside its pictures.
@@ -106,68 +107,6 @@ inline std::vector<SeenRay> seen_rays(Random& random)
     return rays;
 }
 
-/// Along the axes, both ways, and across; each asks for another way to find vectors across.
-inline std::vector<glm::vec3> normals_of_directions()
-{
-    return {{0, 1, 0}, {0, 0, -1}, {-1, 0, 0}, {0.48F, -0.6F, 0.64F}, {0, 0, 1}, {-0.48F, 0.64F, -0.6F}};
-}
-/// The same about other axes, if inputs are to vary.
-inline std::vector<glm::vec3> normals_of_directions(Variation& vary)
-{
-    std::vector<glm::vec3> normals = normals_of_directions();
-    const ExactMap map = vary.exact_map(0);
-    for (glm::vec3& normal : normals) normal = map.place(normal);
-    return normals;
-}
-
-/// Means over some directions round a normal n, with x and y across it.
-class DirectionMoments {
-public:
-    explicit DirectionMoments(const glm::vec3& normal) : n_(normal)
-    {
-        const glm::vec3 other = std::abs(n_.x) > 0.5F ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-        x_ = normalize(cross(other, n_));
-        y_ = cross(n_, x_);
-    }
-    void add(const glm::vec3& direction)
-    {
-        const float n = dot(direction, n_);
-        const float x = dot(direction, x_);
-        const float y = dot(direction, y_);
-        const std::array<float, 8> values{
-            n, x, y, x * x, x * y, (x + y) * (n - 0.6F), n < 0.5F ? 1.0F : 0.0F, n > 0.95F ? 1.0F : 0.0F};
-        for (std::size_t i = 0; i < values.size(); ++i) sums_[i] += values[i];
-        ++count_;
-    }
-    void append_to(std::vector<float>& row) const
-    {
-        for (const float sum : sums_) row.push_back(sum / static_cast<float>(count_));
-    }
-
-private:
-    glm::vec3 n_;
-    glm::vec3 x_;
-    glm::vec3 y_;
-    std::array<float, 8> sums_{};
-    int count_ = 0;
-};
-
-inline std::string names_of_moments(std::size_t normals)
-{
-    constexpr std::array names{"The part along the normal",
-                               "The part along x",
-                               "The part along y",
-                               "The square of the part along x",
-                               "The product of the parts along x and y",
-                               "The part across, weighted by the height",
-                               "The share of directions beyond 60 degrees from the normal",
-                               "The share of directions within 18 degrees of the normal"};
-    std::vector<std::string> all;
-    for (std::size_t n = 0; n < normals; ++n)
-        for (const char* name : names) all.push_back(std::string(name) + " (normal " + std::to_string(n) + ')');
-    return numbered_names(all);
-}
-
 /// One question to path_light, asked again and again.
 struct RoomView {
     const char* name;
@@ -202,6 +141,18 @@ inline RoomView floor_view(const char* name, const RoomSky& sky, const std::vect
     return view;
 }
 
+/// Twenty lamps in four rows that shine down, in several colours.
+inline std::vector<AreaLamp> rows_of_lamps()
+{
+    std::vector<AreaLamp> lamps;
+    for (int i = 0; i < 20; ++i) {
+        const glm::vec3 colour(1.0F + static_cast<float>(i % 3), 4.0F - static_cast<float>(i % 4), 2);
+        const glm::vec3 corner(0.5F * static_cast<float>(i % 5) - 1.25F, 0.7F, 0.5F * static_cast<float>(i / 5) - 1.4F);
+        lamps.push_back({corner, {0.4F, 0, 0}, {0, 0, 0.4F}, 0.5F * colour});
+    }
+    return lamps;
+}
+
 /// Light that is reflected once, or few times: each view has an answer of its own.
 inline std::vector<RoomView> one_bounce()
 {
@@ -211,18 +162,22 @@ inline std::vector<RoomView> one_bounce()
     std::swap(turned.edge_a, turned.edge_b);
     std::vector<RoomView> views{
         floor_view("the sky on the floor", {{0.2F, 0.4F, 0.6F}, {1.5F, 1, 0.5F}}, {}),
-        floor_view("a lamp overhead", {}, {over}),
-        floor_view("two lamps", {}, {aside, over}),
+        floor_view("a lamp overhead", {}, {over}), floor_view("two lamps", {}, {aside, over}),
         floor_view("a lamp that is turned away, under the sky", {glm::vec3(0.3F), glm::vec3(0.9F)}, {turned}),
-        floor_view("a lamp behind a screen", {}, {over}),
-        floor_view("a glowing ball beside a lamp", {}, {over}),
+        floor_view("a lamp behind a screen", {}, {over}), floor_view("a glowing ball beside a lamp", {}, {over}),
         floor_view("a lamp that mirrors the floor's light", {}, {}),
         floor_view("a small strong lamp near the floor", {},
-                   {{{-0.15F, 0.5F, -0.15F}, {0.3F, 0, 0}, {0, 0, 0.3F}, {200, 120, 160}}})};
+                   {{{-0.15F, 0.5F, -0.15F}, {0.3F, 0, 0}, {0, 0, 0.3F}, {200, 120, 160}}}),
+        floor_view("twenty lamps", {}, rows_of_lamps()),
+        floor_view("a ceiling that is one lamp", {}, {{{-4, 1.6F, -4}, {8, 0, 0}, {0, 0, 8}, {0.5F, 0.3F, 0.7F}}}),
+        // Walls that shine on each other, of which one bounce knows nothing.
+        floor_view("a lamp between walls", {}, {over})};
     views[4].room.add(SolidQuad{{-2, 0.5F, -2}, {1.75F, 0, 0}, {0, 0, 4}}, Paint{glm::vec3(0)});
     views[5].room.add(SolidBall{{1.2F, 0.8F, -0.3F}, 0.7F}, Paint{glm::vec3(0.5F), {1, 2, 0.5F}});
     views[6].room.add_lamp(over, {0.9F, 0.6F, 0.3F});
     views[6].bounces = 3;
+    for (const float x : {-0.9F, 1.1F})
+        views[10].room.add(SolidQuad{{x, 0, -2}, {0, 2, 0}, {0, 0, 4}}, Paint{glm::vec3(0.9F)});
     return views;
 }
 
@@ -253,8 +208,16 @@ inline std::vector<RoomView> furnaces()
                                 furnace("a furnace, six bounces", {0.7F, 0.5F, 0.6F}, 6, 8),
                                 furnace("a furnace, all bounces", {0.6F, 0.3F, 0.5F}, all_bounces, 8),
                                 furnace("a furnace of red and blue, six bounces", {0.45F, 0, 0.3F}, 6, 8),
+                                furnace("a furnace of green and blue, six bounces", {0, 0.45F, 0.3F}, 6, 8),
+                                furnace("a furnace of red and green, six bounces", {0.3F, 0.45F, 0}, 6, 8),
                                 // The eleventh reflection is still a fiftieth of its light: found by many paths.
                                 furnace("a bright furnace, all bounces", {0.7F, 0.65F, 0.5F}, all_bounces, 512)};
+    // The sky's light above all, found by long paths and by short ones, which leave in other directions.
+    RoomView niche{"a deep niche under the sky, all bounces", DiffuseRoom({{0.5F, 0.75F, 1}, {2, 1, 0.5F}}),
+                   Ray{{0.1F, 1, 0.5F}, {-0.3F, -0.2F, -1}}, all_bounces, 256};
+    add_walls(niche.room, {glm::vec3(0.7F), {0.7F, 0.6F, 0.5F}, {0.5F, 0.6F, 0.7F}, glm::vec3(0.7F), glm::vec3(0.7F)});
+    niche.room.add_lamp({{-0.2F, 1.9F, -0.2F}, {0.4F, 0, 0}, {0, 0, 0.4F}, {0.3F, 0.4F, 0.2F}}, glm::vec3(0.5F));
+    views.push_back(niche);
     // Two colours that shine on each other, and a lamp among them.
     RoomView box{"a closed box, all bounces", DiffuseRoom(), Ray{{0.2F, 0.9F, 0.8F}, {-0.5F, -0.6F, -1}}, all_bounces,
                  8};
