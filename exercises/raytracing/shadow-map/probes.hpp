@@ -107,8 +107,8 @@ struct ProbeRange {
     int finer = 1;
 };
 
-/// Pairs, one lit and one in shadow, in random order. All other texels say the opposite. Of eight points one lies
-/// nearer to the lamp's plane than a unit, but in finer maps, where float would move it to another texel.
+/// Pairs, one lit and one in shadow, in random order. All other texels say the opposite. Of three points one lies
+/// nearer to the light's plane than a unit, but in finer maps, where float would move it to another texel.
 inline std::vector<ShadowProbe> probe_pairs(Random& random, int count, const ProbeRange& range)
 {
     // Where the allowance is small, float decides.
@@ -125,8 +125,8 @@ inline std::vector<ShadowProbe> probe_pairs(Random& random, int count, const Pro
                            static_cast<int>(random.below(static_cast<std::uint32_t>(size.y)))};
             const glm::vec2 within = glm::vec2(0.5F) + 0.47F * glm::vec2(random.in_cube());
             const glm::vec2 at = 2.0F * (glm::vec2(probe.texel) + within) / glm::vec2(size) - 1.0F;
-            const bool is_near = random.below(8) == 0 && range.finer == 1;
-            const float along = is_near ? random.uniform(0.03F, 0.1F) : random.uniform(1, 8);
+            const bool is_near = random.below(3) == 0 && range.finer == 1;
+            const float along = is_near ? std::exp2(random.uniform(-5, -1)) : random.uniform(1, 8);
             probe.place = at_map_place(probe.light, at, along);
             const double cosine =
                 range.least_cosine + (range.most_cosine - range.least_cosine) * random.uniform_double();
@@ -145,20 +145,25 @@ inline std::vector<ShadowProbe> probe_pairs(Random& random, int count, const Pro
 }
 
 /// Beside the map and behind the lamp, where it has nothing to say though all of its texels are in shadow; and between
-/// them points on it.
+/// them points on it. Of all of them every fourth one faces away from the light, which adds nothing there.
 inline std::vector<ShadowProbe> probes_off_the_map(Random& random, int count)
 {
     std::vector<ShadowProbe> probes = probe_pairs(random, count, {0.6, 1, 0.5});
     for (std::size_t i = 0; i < probes.size(); ++i) {
         ShadowProbe& probe = probes[i];
-        if (i % 3 == 2) continue;
+        const float cosine = random.uniform(0.5F, 0.95F);
+        const bool faces_away = random.below(4) == 0;
+        if (i % 3 == 2) {
+            if (faces_away) probe.normal = -probe.normal;
+            continue;
+        }
         const bool behind = probe.light.place.w != 0 && i % 3 == 1;
         glm::vec2 at = 0.95F * glm::vec2(random.in_cube());
         const float outside = random.uniform(1.03F, 3);
         const bool is_negative = random.below(2) == 0;
         if (!behind) at[random.below(2) == 0 ? 0 : 1] = is_negative ? -outside : outside;
         probe.place = at_map_place(probe.light, at, random.uniform(1, 8) * (behind ? -1.0F : 1.0F));
-        probe.normal = tilted(towards_light(probe.light, probe.place), random.uniform(0.5F, 0.95F), random);
+        probe.normal = tilted(towards_light(probe.light, probe.place), faces_away ? -cosine : cosine, random);
         probe.here = probe.elsewhere = -nothing_seen;
     }
     return probes;
