@@ -30,10 +30,13 @@ void record_disc(Random& random, Recorder& out)
     for (int replicate = 0; replicate < 500; ++replicate) {
         Random own = own_random(random);
         constexpr int points = 16;
-        std::array<float, 9> row{};
+        std::array<float, 12> row{};
+        glm::vec2 point = ask<disc_point>(out, own);
         for (int i = 0; i < points; ++i) {
-            const std::array<float, 9> values = disc_values(ask<disc_point>(out, own));
+            const glm::vec2 next = ask<disc_point>(out, own);
+            const std::array<float, 12> values = disc_values(point, next);
             for (std::size_t j = 0; j < row.size(); ++j) row[j] += values[j] / points;
+            point = next;
         }
         out.append("moments", row);
     }
@@ -50,11 +53,10 @@ void record_penumbra(Case& c, Recorder& out)
     for (const PenumbraQuestion& question : questions) names.push_back(question.name);
     for (int replicate = 0; replicate < 256; ++replicate) {
         std::vector<float> row;
-        for (std::size_t i = 0; i < questions.size(); ++i) {
-            const PenumbraQuestion& question = questions[i];
+        for (const PenumbraQuestion& question : questions) {
             Random own = own_random(c.random);
-            const int samples = i % 2 == 0 ? 16 : 9;
-            row.push_back(ask<lamp_light>(out, scene, question.at, question.lamp, question.time, samples, own));
+            row.push_back(
+                ask<lamp_light>(out, scene, question.at, question.lamp, question.time, question.samples, own));
         }
         out.append("light", row);
     }

@@ -56,14 +56,16 @@ inline std::vector<LensQuestion> random_lenses(Random& random, int count)
     return questions;
 }
 
-/// Shares and moments of points of the disc, for their means.
-inline std::array<float, 9> disc_values(const glm::vec2& point)
+/// Shares and moments of points of the disc, for their means; `next` is the one that is drawn after it.
+inline std::array<float, 12> disc_values(const glm::vec2& point, const glm::vec2& next)
 {
     const float square = dot(point, point);
     return {point.x, point.y, point.x * point.x, point.y * point.y, point.x * point.y, square > 0.5F ? 1.0F : 0.0F,
             point.x * square, point.x > 0 && point.y > 0 ? 1.0F : 0.0F,
             // Beyond the rim by more than roundings.
-            square > 1.0001F ? 1.0F : 0.0F};
+            square > 1.0001F ? 1.0F : 0.0F,
+            // Of independent points these are 0 in the mean.
+            point.x * next.x, point.y * next.y, (square - 0.5F) * (dot(next, next) - 0.5F)};
 }
 
 inline std::vector<std::string> disc_names()
@@ -76,7 +78,10 @@ inline std::vector<std::string> disc_names()
             "The share of points in the outer half of the area",
             "x times the squared radius",
             "The share of points with positive x and y",
-            "The share of points beyond the rim"};
+            "The share of points beyond the rim",
+            "The product of two successive x",
+            "The product of two successive y",
+            "The product of two successive squared radii, less their means"};
 }
 
 /// A question about the light of a lamp, at a time.
@@ -85,6 +90,7 @@ struct PenumbraQuestion {
     LitPoint at;
     AreaLamp lamp;
     float time;
+    int samples = 12;
 };
 
 /// A lamp over a table, with a screen that covers half of the view, a ball that flies by, and points all over: fully
@@ -103,6 +109,11 @@ inline StillLife penumbra_scene(const glm::vec3& stretch = glm::vec3(1))
                    {1, 1, 1}});
     life.add_lamp(
         {stretch * glm::vec3(5, 1, -1), stretch * glm::vec3(0, 0, 2), stretch * glm::vec3(0, 2, 0), {1, 1, 1}});
+    // Far from being a rectangle.
+    life.add_lamp({stretch * glm::vec3(2.5F, 1.5F, 2.5F),
+                   stretch * glm::vec3(1.2F, 0, 0),
+                   stretch * glm::vec3(0.8F, 0, 0.7F),
+                   {1, 1, 1}});
     return life;
 }
 
@@ -119,6 +130,7 @@ inline std::vector<PenumbraQuestion> penumbra_questions(const glm::vec3& stretch
     const StillLife life = penumbra_scene(stretch);
     const AreaLamp over = life.lamps()[0];
     const AreaLamp aside = life.lamps()[1];
+    const AreaLamp slanted = life.lamps()[2];
     const auto at = [&](glm::vec3 position, glm::vec3 normal) {
         return LitPoint{stretch * position, normalize(normal), glm::vec3(0.25F, 0.5F, 0.75F), glm::vec3(3)};
     };
@@ -130,13 +142,14 @@ inline std::vector<PenumbraQuestion> penumbra_questions(const glm::vec3& stretch
             {"The light in the shadow", at({-1, 0, 0}, up), over, 0},
             {"The light on a tilted surface", at({1.25F, 0.5F, 1}, {-1, 1, -1}), over, 0},
             {"The light on a wall beside the lamp", at({1, 1.5F, 0.25F}, {-1, 0, 0}), over, 0},
-            {"The light near the lamp", at({0.25F, 1.6F, 0.1F}, up), over, 0},
+            {"The light near the lamp", at({0.25F, 1.6F, 0.1F}, up), over, 0, 64},
             {"The light behind the lamp", at({0, 3, 0}, {0, -1, 0}), over, 0},
             {"The light behind the lamp on what faces away", at({0, 3, 0}, up), over, 0},
             {"The light from the side", at({2.5F, 0, -0.5F}, up), aside, 0.25F},
             {"The light before the ball has come", at({1.9F, 0, 0.1F}, up), over, 0},
             {"The light while the ball is there", at({1.9F, 0, 0.1F}, up), over, 1},
-            {"The light on a surface whose horizon cuts the lamp", at({0.2F, 0.75F, 0.2F}, {1, 0, 0}), over, 0}};
+            {"The light on a surface whose horizon cuts the lamp", at({0.2F, 0.75F, 0.2F}, {1, 0, 0}), over, 0},
+            {"The light of a slanted lamp", at({3.5F, 0, 3}, up), slanted, 0.5F}};
 }
 
 /// A question about one pixel.
@@ -210,6 +223,13 @@ inline std::vector<PixelQuestion> mean_pixels()
     lit.add(SolidBall{{0, -0.4F, -3}, 0.3F, {1, 0, 0}}, Paint{{0.3F, 0.6F, 0.9F}});
     lit.add_lamp({{-1, 1.5F, -4}, {2, 0, 0}, {0, 0, 2}, {4, 3, 2}});
     lit.add_lamp({{2, 0, -4}, {0, 0, 2}, {0, 1, 0}, {2, 4, 3}});
+    StillLife ring({glm::vec3(0), glm::vec3(0), glm::vec3(0.01F)});
+    ring.add(SolidQuad{{-6, -1, -6}, {0, 0, 12}, {12, 0, 0}}, Paint{{0.8F, 0.5F, 0.3F}});
+    for (int i = 0; i < 20; ++i) {
+        const float turn = 6.2831853F * static_cast<float>(i) / 20;
+        const glm::vec3 colour(1.0F + static_cast<float>(i % 3), 4.0F - static_cast<float>(i % 4), 2);
+        ring.add_lamp({{std::cos(turn) - 0.2F, 0.6F, std::sin(turn) - 3.2F}, {0.4F, 0, 0}, {0, 0, 0.4F}, colour});
+    }
     const Optics both{0.25F, 2, 0, 1};
     // Seen only from a point of the lens beyond its rim.
     const StillLife beyond = flying_ball({-0.43F, -0.43F, -6}, 0.09F, glm::vec3(0));
@@ -243,6 +263,7 @@ inline std::vector<PixelQuestion> mean_pixels()
          size,
          {4, 4}},
         {"a ball that the lens does not see", beyond, camera(both), PictureSize{800, 800}, {400, 400}},
+        {"a table under a ring of twenty lamps", ring, camera({}), size, {4, 6}, 4},
         {"a table under two lamps and a ball", lit, camera({0.1F, 3, 0, 1}), size, {4, 6}},
         {"the shadow of a ball that flies by", lit, camera({0, 3, -0.5F, 0.5F}), size, {4, 7}}};
 }
