@@ -152,6 +152,29 @@ void record_nearly_parallel(Random& random, Recorder& out)
     }
 }
 
+// Bases that are Cartesian but for a thousandth or less, and vectors at nearly right angles: entries and products are
+// small beside their terms, and each counts by itself.
+void record_nearly_perpendicular(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        glm::mat3 basis = cartesian(random);
+        for (int k = 0; k < 3; ++k) {
+            const glm::vec3 lean = std::pow(10.0F, random.uniform(-4, -3)) * random.in_cube();
+            basis[k] = random.uniform(0.5F, 2) * (basis[k] + lean);
+        }
+        const glm::mat3 gram = ask<gram_matrix>(out, basis);
+        const int row = static_cast<int>(random.below(3));
+        out.append("gram aside", gram[(row + 1) % 3][row]);
+        out.append("gram aside", gram[(row + 2) % 3][row]);
+        // At right angles in an oblique basis, up to a thousandth.
+        const glm::mat3 slanted = gram_of(oblique(random));
+        const glm::vec3 a = some_vector(random);
+        const glm::vec3 across = glm::normalize(glm::cross(slanted * a, random.unit_vector()));
+        const glm::vec3 b = random.uniform(0.5F, 4) * (across + random.uniform(2e-4F, 2e-3F) * glm::normalize(a));
+        out.append("dot", ask<dot_from_gram>(out, slanted, a, b));
+    }
+}
+
 // Bases that are squashed to a twentieth or a thirtieth along one direction, and areas in planes that hold it: their
 // Gram matrices have eigenvalues several hundred times others.
 void record_squashed(Random& random, Recorder& out)
@@ -189,6 +212,7 @@ const Driver driver = {
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"exact", [](Case& c, Recorder& out) { record_exact(c.random, out); }},
     {"nearly parallel", [](Case& c, Recorder& out) { record_nearly_parallel(c.random, out); }},
+    {"nearly perpendicular", [](Case& c, Recorder& out) { record_nearly_perpendicular(c.random, out); }},
     {"squashed", [](Case& c, Recorder& out) { record_squashed(c.random, out); }},
     {"all units", [](Case& c, Recorder& out) { record_all_units(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("paper", draw_slanted_paper(c.vary, out)); }},

@@ -1,5 +1,5 @@
 // mistake: everything in float, the area by Lagrange's identity
-// credit: 78..94
+// credit: 72..90
 // hint: In float, |a|²|b|² and (a·b)² agree in all digits when the vectors are nearly parallel, and their squares are
 // no floats when the units are small or large. Compute in double, and do not subtract squares.
 #include <cmath>
