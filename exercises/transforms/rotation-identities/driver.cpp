@@ -46,12 +46,22 @@ void record_known(Variation& vary, Recorder& out)
     }
 }
 
+/// From 10^`lowest` to 10^`highest`, of either sign.
+float some_degrees(Random& random, float lowest, float highest)
+{
+    return std::pow(10.0F, random.uniform(lowest, highest)) * (random.below(2) == 0 ? 1.0F : -1.0F);
+}
+
+// Every fourth turn is nearly the one before, about whichever axis; every eighth vector is null.
 void record_random(Random& random, Recorder& out)
 {
+    float degrees = 0;
     for (int i = 0; i < 200; ++i) {
-        const ElementaryTurn turn = random_turn(random);
+        ElementaryTurn turn = random_turn(random);
+        if (i % 4 == 3) turn.degrees = degrees + some_degrees(random, -4, -1.5F);
+        degrees = turn.degrees;
         out.append("matrix", ask<elementary_matrix>(out, turn));
-        const Sized sized = any_size(8.0F * random.in_cube(), random);
+        const Sized sized = any_size((i % 8 == 1 ? 0.0F : 8.0F) * random.in_cube(), random);
         out.append("vector", ask<elementary_rotation>(out, sized.vector, turn) / sized.unit);
     }
 }
@@ -84,33 +94,46 @@ void record_quarter_turns(Random& random, Recorder& out)
     }
 }
 
-// By quarter turns, or none, and ten thousandths to hundredths of a degree; and many times round.
+// By quarter turns, or none, and ten thousandths to hundredths of a degree, two of them after one another; and many
+// times round, up to the largest floats.
 void record_many_turns(Random& random, Recorder& out)
 {
-    for (int i = 0; i < 24; ++i) {
-        const auto quarters = static_cast<float>(90 * (static_cast<int>(random.below(9)) - 4));
-        const float beside = std::pow(10.0F, random.uniform(-4, -2)) * (random.below(2) == 0 ? 1.0F : -1.0F);
-        const ElementaryTurn turn{axes[random.below(3)], quarters + beside};
+    float quarters = 0;
+    for (int i = 0; i < 40; ++i) {
+        if (i % 2 == 0) quarters = static_cast<float>(90 * (static_cast<int>(random.below(9)) - 4));
+        const ElementaryTurn turn{axes[random.below(3)], quarters + some_degrees(random, -4, -2)};
         out.append("vector", ask<elementary_rotation>(out, random.unit_vector(), turn));
     }
-    for (const float degrees : {1e3F, 1e4F, 1e5F, 1e6F, 1e7F, 1e9F, 1e15F, 1e30F}) {
-        for (int i = 0; i < 15; ++i) {
-            const float sign = random.below(2) == 0 ? 1.0F : -1.0F;
-            const ElementaryTurn turn{axes[random.below(3)], sign * degrees * random.uniform(0.3F, 1)};
-            out.append("vector", ask<elementary_rotation>(out, random.unit_vector(), turn));
-        }
+    for (int i = 0; i < 120; ++i) {
+        const float degrees = i % 2 == 0 ? some_degrees(random, 2.5F, 9) : some_degrees(random, 9, 38.5F);
+        const ElementaryTurn turn{axes[random.below(3)], degrees};
+        out.append("vector", ask<elementary_rotation>(out, random.unit_vector(), turn));
     }
+}
+
+/// Of every kind an eighth: no turn at all, one, a null vector, turns about one axis of large and of small angles,
+/// turns by quarters among others; the rest of two to eight turns.
+std::vector<ElementaryTurn> some_chain(std::size_t kind, Random& random)
+{
+    std::vector<ElementaryTurn> turns;
+    const std::size_t count = kind == 0 ? 0 : kind == 1 ? 1 : 2 + random.below(7);
+    const WorldAxis axis = axes[random.below(3)];
+    for (std::size_t k = 0; k < count; ++k) {
+        ElementaryTurn turn = random_turn(random);
+        if (kind == 3) turn = {axis, k % 2 == 0 ? some_degrees(random, 4, 7) : turn.degrees};
+        if (kind == 4 && k % 2 == 0) turn.degrees = static_cast<float>(90 * (static_cast<int>(random.below(9)) - 4));
+        turns.push_back(turn);
+    }
+    return turns;
 }
 
 void record_chains(Random& random, Recorder& out)
 {
-    out.append("vector", ask<after_turns>(out, {1, 2, 3}, {}));
     const ElementaryTurn quarters[] = {{WorldAxis::x, 90}, {WorldAxis::y, 90}};
     out.append("vector", ask<after_turns>(out, {1, 2, 3}, quarters));
-    for (std::size_t i = 0; i < 60; ++i) {
-        std::vector<ElementaryTurn> turns;
-        for (std::size_t k = 0; k < 2 + i % 7; ++k) turns.push_back(random_turn(random));
-        const Sized sized = any_size(random.unit_vector(), random);
+    for (std::size_t i = 0; i < 64; ++i) {
+        const std::vector<ElementaryTurn> turns = some_chain(i % 8, random);
+        const Sized sized = any_size((i % 8 == 2 ? 0.0F : 1.0F) * random.unit_vector(), random);
         out.append("vector", ask<after_turns>(out, sized.vector, turns) / sized.unit);
     }
 }
