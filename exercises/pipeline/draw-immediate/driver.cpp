@@ -1,11 +1,10 @@
 #include <array>
 #include <optional>
-#include <span>
 #include <umbral/gl/record_trace.hpp>
 #include <umbral/record/driver.hpp>
 
-#include "../support_gl.hpp"
 #include "stage.hpp"
+#include "state.hpp"
 
 namespace umbral {
 namespace {
@@ -57,24 +56,6 @@ void depth_test(Case& c, Recorder& out)
                     {6, false, {0.25F, 0.25F, 0.6F}, 0.7F, 0, {0.5F, 0.35F, 0.6F}, {0.95F, 0.85F, 1}}});
 }
 
-/// A buffer of another triangle, bound to GL_ARRAY_BUFFER while it lives.
-class BoundBuffer {
-public:
-    BoundBuffer()
-    {
-        constexpr std::array<float, 64> other = {-0.9F, -0.9F, 0.9F, -0.9F, 0.2F, 0.9F};
-        glGenBuffers(1, &name_);
-        glBindBuffer(GL_ARRAY_BUFFER, name_);
-        glBufferData(GL_ARRAY_BUFFER, sizeof other, other.data(), GL_STATIC_DRAW);
-    }
-    BoundBuffer(const BoundBuffer&) = delete;
-    BoundBuffer& operator=(const BoundBuffer&) = delete;
-    ~BoundBuffer() { glDeleteBuffers(1, &name_); }
-
-private:
-    GLuint name_ = 0;
-};
-
 void buffer_bound(Case& c, Recorder& out)
 {
     const BoundBuffer buffer;
@@ -83,69 +64,33 @@ void buffer_bound(Case& c, Recorder& out)
                     {9, true, {0.45F, -0.1F, 0}, 0.45F, 0, {0.7F, 0.5F, 0.1F}, {1, 1, 1}}});
 }
 
-void choose_state(Random& random)
-{
-    constexpr GLenum modes[] = {GL_POINT, GL_LINE, GL_FILL};
-    glPolygonMode(GL_FRONT, modes[random.below(3)]);
-    glPolygonMode(GL_BACK, modes[random.below(3)]);
-    random.below(2) == 0 ? glEnable(GL_DEPTH_TEST) : glDisable(GL_DEPTH_TEST);
-    const float red = random.uniform();
-    glColor4f(red, random.uniform(), red / 2, 0.25F + red / 2);
-}
-
-void append_pixel(std::vector<float>& row, const Image& picture, glm::vec2 place)
-{
-    const glm::ivec2 pixel(0.5F * (place + 1.0F) * glm::vec2(picture.width, picture.height));
-    const glm::u8vec4& found = picture.at(pixel.x, picture.height - 1 - pixel.y);
-    row.insert(row.end(), {static_cast<float>(found.r), static_cast<float>(found.g), static_cast<float>(found.b)});
-}
-
-// What is seen belongs to the row: who draws nothing leaves all state alone.
-void record_state(Recorder& out, const Piece& piece, const Image& picture)
-{
-    std::array<GLfloat, 4> color{};
-    glGetFloatv(GL_CURRENT_COLOR, color.data());
-    std::array<GLint, 2> mode{};
-    glGetIntegerv(GL_POLYGON_MODE, mode.data());
-    std::vector<float> row = {
-        color[0], color[1], color[2], color[3], static_cast<float>(mode[0]), static_cast<float>(mode[1])};
-    for (const GLenum name :
-         {GL_ARRAY_BUFFER_BINDING, GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_VERTEX_ARRAY_BINDING, GL_CURRENT_PROGRAM,
-          GL_DEPTH_TEST, GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK, GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE,
-          GL_LINE_WIDTH, GL_SHADE_MODEL, GL_MATRIX_MODE, GL_ATTRIB_STACK_DEPTH, GL_CLIENT_ATTRIB_STACK_DEPTH})
-        row.push_back(state_of(name));
-    row.push_back(static_cast<float>(glGetError()));
-    // In the middle of the first triangle, and of the first edge.
-    const float half = piece.corners > 0 ? std::numbers::pi_v<float> / static_cast<float>(piece.corners) : 0;
-    const glm::vec2 towards(std::cos(half), std::sin(half));
-    append_pixel(row, picture, 0.5F * piece.radius * std::cos(half) * towards);
-    append_pixel(row, picture, piece.radius * std::cos(half) * towards);
-    out.columns("state",
-                "GL_CURRENT_COLOR/4, GL_POLYGON_MODE front, GL_POLYGON_MODE back, GL_ARRAY_BUFFER_BINDING, "
-                "GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_VERTEX_ARRAY_BINDING, GL_CURRENT_PROGRAM, GL_DEPTH_TEST, "
-                "GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK, GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_LINE_WIDTH, "
-                "GL_SHADE_MODEL, GL_MATRIX_MODE, GL_ATTRIB_STACK_DEPTH, GL_CLIENT_ATTRIB_STACK_DEPTH, glGetError, "
-                "pixel in the first triangle/3, pixel in the first edge/3");
-    out.append("state", std::span<const float>(row));
-}
-
+// Both functions in eight rounds, twice in each: the second time with another table of the same size.
 void state(Case& c, Recorder& out)
 {
-    const Stage stage(32);
-    for (int round = 0; round < 12; ++round) {
-        Piece piece = random_piece(c.random, 0.5F);
-        piece.corners = round == 6 ? 0 : piece.corners;
+    const Stage stage(64);
+    for (int round = 0; round < 16; ++round) {
+        const int turn = round / 2;
+        Piece piece = random_piece(c.random, 0);
         piece.place = glm::vec3(0);
         piece.radius = 0.8F;
-        piece.turn = 0;
         piece.cut = round % 2 == 0;
-        piece.unused = round % 4 == 2 ? 70'000 : 0;
-        std::optional<BoundBuffer> buffer;
-        if (round % 3 == 1) buffer.emplace();
-        choose_state(c.random);
-        stage.clear();
-        draw(out, piece);
-        record_state(out, piece, stage.pixels());
+        choose_size(piece, c.random, turn);
+        std::optional<glm::vec3> edges_before;
+        for (const int use : {0, 1}) {
+            std::optional<BoundBuffer> buffer;
+            if ((turn + use) % 3 == 1) buffer.emplace();
+            piece.turn = c.random.uniform(0, 6.28F);
+            piece.size = c.random.uniform(1, 1.5F) * (use == 0 ? 0.6F : 1.2F);
+            choose_colors(piece, c.random, (turn + 2 * use) % 4, edges_before);
+            edges_before = piece.edges;
+            choose_state(c.random);
+            choose_watched(c.random);
+            glLineWidth(static_cast<float>(10 + c.random.below(4)));
+            stage.clear();
+            choose_depths(c.random, static_cast<int>(c.random.below(4)));
+            draw(out, piece);
+            record_state(out, piece, stage.pixels(), any_edge(c.random, piece));
+        }
     }
 }
 

@@ -33,12 +33,12 @@ private:
     DoubleFrame frame_;
 };
 
-/// Problem 1.1: the corners of a regular polygon of radius 1.
-inline std::vector<glm::vec2> polygon(int corners)
+/// Problem 1.1: the corners of a regular polygon of radius 1, the first one at the angle `turn`.
+inline std::vector<glm::vec2> polygon(int corners, float turn = 0)
 {
     std::vector<glm::vec2> table;
     for (int i = 0; i < corners; ++i) {
-        const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(corners);
+        const float angle = turn + 2 * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(corners);
         table.emplace_back(std::cos(angle), std::sin(angle));
     }
     return table;
@@ -53,11 +53,12 @@ struct Fan {
 /// Triangles come `stride` after each other round the centre, each begun at another of its corners, and every second
 /// one clockwise; without a common divisor with `corners`, each comes once. Of ten and more the last two are left out,
 /// so that the place between shows what is drawn beside these triangles. `unused` positions come first that no triangle
-/// has.
-inline Fan fan(int corners, int stride, int unused = 0)
+/// has, and `idle` triangles whose corners are all the first position.
+inline Fan fan(int corners, int stride, int unused = 0, int idle = 0, float turn = 0)
 {
-    Fan result{std::vector<glm::vec2>(static_cast<std::size_t>(unused), glm::vec2(0.9F)), {}};
-    const std::vector<glm::vec2> rim = polygon(corners);
+    Fan result{std::vector<glm::vec2>(static_cast<std::size_t>(unused), glm::vec2(0.9F)),
+               std::vector<std::uint32_t>(3 * static_cast<std::size_t>(idle), 0U)};
+    const std::vector<glm::vec2> rim = polygon(corners, turn);
     result.positions.insert(result.positions.end(), rim.begin(), rim.end());
     result.positions.emplace_back(0, 0);
     for (int i = 0; i < (corners < 10 ? corners : corners - 2); ++i) {
@@ -81,13 +82,21 @@ struct Piece {
     glm::vec3 fill{1};
     glm::vec3 edges{0};
     int unused = 0;  ///< of triangles: so many positions come first that no triangle has
+    int idle = 0;    ///< of triangles: so many come first whose corners are all one, the first position
+    float size = 1;  ///< of its table, whatever its radius
 };
 
-/// Where a point of the polygon of radius 1 goes. All of a piece has one depth.
+/// Where a point of the table goes, which is turned already. All of a piece has one depth.
 inline glm::mat4 model_of(const Piece& piece)
 {
-    const glm::mat4 turned = rotate(translate(glm::mat4(1), piece.place), piece.turn, glm::vec3(0, 0, 1));
-    return scale(turned, glm::vec3(piece.radius, piece.radius, 1));
+    return scale(translate(glm::mat4(1), piece.place),
+                 glm::vec3(piece.radius / piece.size, piece.radius / piece.size, 1));
+}
+
+inline std::vector<glm::vec2> scaled(std::vector<glm::vec2> table, float size)
+{
+    for (glm::vec2& place : table) place *= size;
+    return table;
 }
 
 inline void draw(Recorder& out, const Piece& piece)
@@ -95,10 +104,10 @@ inline void draw(Recorder& out, const Piece& piece)
     glMatrixMode(GL_MODELVIEW);
     glLoadMatrixf(value_ptr(model_of(piece)));
     if (piece.cut) {
-        const Fan tables = fan(piece.corners, piece.corners % 2 == 1 ? 2 : 1, piece.unused);
-        ask<draw_triangles>(out, tables.positions, tables.indices, piece.fill, piece.edges);
+        const Fan unit = fan(piece.corners, piece.corners % 2 == 1 ? 2 : 1, piece.unused, piece.idle, piece.turn);
+        ask<draw_triangles>(out, scaled(unit.positions, piece.size), unit.indices, piece.fill, piece.edges);
     } else {
-        ask<draw_polygon>(out, polygon(piece.corners), piece.fill, piece.edges);
+        ask<draw_polygon>(out, scaled(polygon(piece.corners, piece.turn), piece.size), piece.fill, piece.edges);
     }
 }
 

@@ -107,8 +107,7 @@ void use(Recorder& out, Case& c, const Stage& stage, const Piece& piece, std::un
         draw(out, piece);
     else if (drawing)
         ask<&OutlinedDrawing::draw>(out, *drawing, piece.fill, piece.edges);
-    const auto edge = static_cast<int>(c.random.below(static_cast<std::uint32_t>(std::max(piece.corners, 3))));
-    record_state(out, {piece, once_made, stage.picture(), edge}, drawing, goes);
+    record_state(out, {piece, once_made, stage.picture(), any_edge(c.random, piece)}, drawing, goes);
 }
 
 // Each of the three ways in eight rounds, twice in each. What was made and never drawn leaves nothing behind.

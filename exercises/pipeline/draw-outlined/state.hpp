@@ -1,8 +1,8 @@
 #pragma once
 
-#include <optional>
 #include <span>
 
+#include "../seen.hpp"
 #include "../support_gl.hpp"
 #include "../watched_state.hpp"
 #include "shapes.hpp"
@@ -26,32 +26,6 @@ inline float attribute_enabled(GLuint attribute)
     GLint enabled = 0;
     glGetVertexAttribiv(attribute, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
     return static_cast<float>(enabled);
-}
-
-/// The pixel at a place in clip coordinates.
-inline void append_pixel(std::vector<float>& row, const Image& picture, glm::vec2 place)
-{
-    const glm::ivec2 pixel(0.5F * (place + 1.0F) * glm::vec2(picture.width, picture.height));
-    const glm::u8vec4& found = picture.at(pixel.x, picture.height - 1 - pixel.y);
-    row.insert(row.end(), {static_cast<float>(found.r), static_cast<float>(found.g), static_cast<float>(found.b)});
-}
-
-/// A piece round the origin, at two of its edges: in the middle of the fill there, on the outer half of the edge, and
-/// half way to the corner, where wheels have an edge too. Lines are so wide that these pixels have one colour each.
-inline void append_seen(std::vector<float>& row, const Image& picture, const Piece& piece, int edge)
-{
-    const int corners = std::max(piece.corners, 3);
-    const float half = std::numbers::pi_v<float> / static_cast<float>(corners);
-    const float reach = piece.radius * std::cos(half);
-    const auto at = [&](float radius, float angle) {
-        append_pixel(row, picture, radius * glm::vec2(std::cos(angle), std::sin(angle)));
-    };
-    for (const int k : {edge, edge + corners / 2}) {
-        const float corner = piece.turn + 2 * half * static_cast<float>(k);
-        at(0.6F * reach, corner + half);
-        at(reach + 0.03F, corner + half);
-        at(0.5F * piece.radius, corner);
-    }
 }
 
 /// What is alive of the tables' objects.
@@ -99,10 +73,9 @@ inline void record_state(Recorder& out, const Use& use, std::unique_ptr<Outlined
         "GL_POLYGON_MODE front, GL_POLYGON_MODE back, attribute 0 enabled, attribute 1 enabled, "
         "GL_VERTEX_ARRAY_BINDING, GL_ARRAY_BUFFER_BINDING, GL_ELEMENT_ARRAY_BUFFER_BINDING, "
         "vertex array bound once made, array buffer bound once made, element buffer bound once made, "
-        "GL_DEPTH_TEST, GL_DEPTH_FUNC, GL_LINE_WIDTH, "
-        "pixel of the fill/3, pixel on an edge/3, pixel towards a corner/3, "
-        "pixel of the fill elsewhere/3, pixel on another edge/3, pixel towards another corner/3, "
-        "vertex arrays alive, buffers alive, vertex arrays alive when it has gone, buffers alive when it has gone, "
+        "GL_DEPTH_TEST, GL_DEPTH_FUNC, GL_LINE_WIDTH, " +
+        std::string(seen_columns) +
+        ", vertex arrays alive, buffers alive, vertex arrays alive when it has gone, buffers alive when it has gone, "
         "vertex array bound when it has gone, array buffer bound when it has gone, "
         "element buffer bound when it has gone, glGetError, " +
         watched_columns();
@@ -136,17 +109,6 @@ inline void choose_size(Piece& piece, Random& random, int turn)
         piece.idle = all_of_16_bits / 3 + many;
     else
         piece.corners = all_of_16_bits + many;
-}
-
-/// Colours by turns: any; a fill of black; fill and edges alike; edges of black. In the second draw fills have the
-/// colour of the edges before, although others have drawn in between.
-inline void choose_colors(Piece& piece, Random& random, int turn, const std::optional<glm::vec3>& edges_before)
-{
-    piece.fill = edges_before.value_or(rainbow(random.uniform(), 0.8F, 0.8F));
-    piece.edges = rainbow(random.uniform(), 0.25F, 1);
-    if (turn == 1) piece.fill = glm::vec3(0);
-    if (turn == 2) piece.edges = piece.fill;
-    if (turn == 3) piece.edges = glm::vec3(0);
 }
 
 }
