@@ -40,7 +40,8 @@ inline gl::Interface lit_interface()
 }
 
 /// A shape with colours and texture coordinates; its vertices are a grid of `columns` cells.
-inline AttributeMesh painted(const shapes::Shape& shape, int columns, glm::vec2 repeat, const gl::Program& program)
+inline AttributeMesh painted(const shapes::Shape& shape, int columns, glm::vec2 repeat, const gl::Program& program,
+                             float waves = 2)
 {
     std::vector<glm::vec2> tex_coords;
     std::vector<glm::vec3> colors;
@@ -49,7 +50,7 @@ inline AttributeMesh painted(const shapes::Shape& shape, int columns, glm::vec2 
     for (std::size_t i = 0; i < shape.positions.size(); ++i) {
         const float u = static_cast<float>(i % width) / static_cast<float>(columns);
         tex_coords.push_back(repeat * glm::vec2(u, static_cast<float>(i / width) / rows));
-        const glm::vec3 wave = 0.5F + 0.5F * glm::cos(shapes::turn * (2 * u + glm::vec3(0, 0.33F, 0.67F)));
+        const glm::vec3 wave = 0.5F + 0.5F * glm::cos(shapes::turn * (waves * u + glm::vec3(0, 0.33F, 0.67F)));
         colors.push_back(glm::mix(wave, glm::vec3(0.9F, 0.8F, 0.6F), 0.25F));
     }
     return {program,
@@ -99,8 +100,16 @@ struct Shot {
     bool lighting = false;
     bool flat = false;
     bool textured = false;
-    bool cut = false;  ///< along the tube, so that its inside shows
+    bool cut = false;     ///< along the tube, so that its inside shows
+    bool ground = false;  ///< instead of a knot two triangles that reach from the viewer to far away
 };
+
+/// A floor below the viewer, turned: from less than 1 to 12 before them.
+inline glm::mat4 ground(float turn)
+{
+    const glm::mat4 placed = glm::translate(glm::mat4(1), glm::vec3(0, -0.6F, -6.5F));
+    return glm::rotate(glm::rotate(placed, turn, glm::vec3(0, 1, 0)), 0.1F, glm::vec3(1, 0, 0));
+}
 
 /// A model before the viewer, turned.
 inline glm::mat4 seen(float turn, glm::vec3 stretch = glm::vec3(1))
@@ -119,9 +128,11 @@ inline float varied_turn(Variation& vary, float turn)
 inline void ask_shots(Recorder& out, std::string_view texts, const std::vector<Shot>& shots)
 {
     ask_in_words(out, [&] {
-        std::string text = "// a knot, drawn with " + std::string(texts);
+        std::string text = "// drawn with " + std::string(texts);
         for (const Shot& shot : shots)
-            text += std::string(shot.cut ? "\n// cut open along its tube" : "") +
+            text += std::string(shot.ground ? "\n// a floor of two triangles"
+                                : shot.cut  ? "\n// a knot, cut open along its tube"
+                                            : "\n// a knot") +
                     "\nmodelview = " + literal::of_value(shot.modelview, true, {}) +
                     "\n    light = " + literal::of_value(shot.light, true, {}) +
                     ", lighting = " + (shot.lighting ? "1" : "0") + ", flat_shading = " + (shot.flat ? "1" : "0") +
@@ -159,13 +170,18 @@ inline Image draw(const std::vector<Shot>& shots, const ShaderTexts& texts, cons
     shape.indices.erase(shape.indices.begin(),
                         shape.indices.begin() + static_cast<std::ptrdiff_t>(shape.indices.size() / around * 6));
     const AttributeMesh open = painted(shape, along, {24, 4}, program);
+    // Its normals lean towards the corners.
+    shapes::Shape flat = shapes::surface(1, 1, [](float u, float v) { return glm::vec3(8 * u - 4, 0, 6 - 12 * v); });
+    for (std::size_t i = 0; i < flat.normals.size(); ++i)
+        flat.normals[i] = glm::normalize(glm::vec3(0.12F, 1, 0.1F) * flat.positions[i] + glm::vec3(0, 1, 0));
+    const AttributeMesh floor = painted(flat, 1, {5, 7}, program, 0.8F);
     glEnable(GL_DEPTH_TEST);
-    program.set("projection", glm::perspective(glm::radians(32.0F), 1.0F, 1.0F, 20.0F));
+    program.set("projection", glm::perspective(glm::radians(32.0F), 1.0F, 0.5F, 20.0F));
     const int part = shots.size() > 1 ? size : 2 * size;
     for (std::size_t i = 0; i < shots.size(); ++i) {
         const int k = static_cast<int>(i);
         glViewport(part * (k % 2), 2 * size - part * (1 + k / 2), part, part);
-        draw(shots[i], shots[i].cut ? open : whole, program);
+        draw(shots[i], shots[i].ground ? floor : shots[i].cut ? open : whole, program);
     }
     return frame.picture();
 }

@@ -9,6 +9,9 @@
 /// Shaders that the drivers hand to the student's class.
 namespace umbral::pipeline {
 
+/// The uniform of type float: its name does not fit into 64 bytes.
+inline const char* const long_name = "number_of_lamps_in_the_whole_of_the_great_hall_of_the_old_palace";
+
 /// A right pair, with one uniform of each type that can be set; one of them in an array, one in a structure.
 inline ShaderTexts uniforms_of_all_types()
 {
@@ -27,10 +30,10 @@ void main()
             R"(#version 330
 in vec3 shade;
 uniform vec3 vectors[3];
-uniform float number;
+uniform float number_of_lamps_in_the_whole_of_the_great_hall_of_the_old_palace;
 uniform int whole;
 out vec4 pixel;
-void main() { pixel = vec4(shade + (vectors[0] + vectors[1] + vectors[2]) * number, float(whole)); }
+void main() { pixel = vec4(shade + (vectors[0] + vectors[1] + vectors[2]) * number_of_lamps_in_the_whole_of_the_great_hall_of_the_old_palace, float(whole)); }
 )"};
 }
 
@@ -55,14 +58,14 @@ in vec3 shade;
 uniform sampler2D image;
 uniform vec4 further;
 uniform mat4 matrix4;
-uniform float number;
+uniform float number_of_lamps_in_the_whole_of_the_great_hall_of_the_old_palace;
 out vec4 pixel;
-void main() { pixel = matrix4 * vec4(shade, number) + texture(image, shade.xy) + further; }
+void main() { pixel = matrix4 * vec4(shade, number_of_lamps_in_the_whole_of_the_great_hall_of_the_old_palace) + texture(image, shade.xy) + further; }
 )"};
 }
 
 /// Pairs that are right, but not plain: OpenGL warns of some, others cannot be drawn with before their samplers are
-/// set, or have comments before their version.
+/// set, or have comments before their version, a long one too: 16 bits do not count its letters.
 inline std::vector<ShaderTexts> right_texts()
 {
     const std::string version = "#version 330\n";
@@ -74,6 +77,8 @@ inline std::vector<ShaderTexts> right_texts()
         {vertex, version + images + "void main()\n{\n    vec4 never_set;\n    pixel = both() + never_set;\n}\n"},
         {"// A comment.\n\n" + vertex, "/* Another one. */\n" + version + images + "void main() { pixel = both(); }\n"},
         {vertex, version + "out vec4 pixel;\nvoid main()\n{\n    vec4 never_set;\n    pixel = never_set;\n}\n"},
+        {vertex,
+         "// " + std::string(70'000, '-') + "\n" + version + "out vec4 pixel;\nvoid main() { pixel = vec4(1.0); }\n"},
         uniforms_elsewhere()};
 }
 
@@ -92,11 +97,16 @@ inline std::vector<ShaderTexts> failing_texts()
         {good.vertex, version + "out vec4 pixel;\nvoid main()\n{\n    pixel = vec3(1.0, 0.0, 0.0);\n}\n"},
         {good.vertex, "#version 330\nout vec4 pixel;\n\n\nvoid main() { pixel = color; undeclared(); }\n"},
         {"nonsense", "more nonsense"},
+        {"", good.fragment},
+        {good.vertex, ""},
         {version + "void main() { gl_Position = vec4(first_mistake, 1.0); }\n",
          version + "out vec4 pixel;\nvoid main() { pixel = vec4(second_mistake); }\n"},
         {version + "void main() { gl_Position = 1.0; }\n", "#version 330\nvoid main() { undeclared(); }\n"},
         {good.vertex, version + "in float shade;\nout vec4 pixel;\nvoid main() { pixel = vec4(shade); }\n"},
         {version + "void helper() {}\n", good.fragment},
+        // OpenGL warns of the fragment shader, too: that is not what the link says.
+        {good.vertex, version + "in vec2 shade;\nout vec4 pixel;\nvoid main()\n{\n    vec4 never_set;\n    pixel = "
+                                "never_set + vec4(shade, 0.0, 1.0);\n}\n"},
         {good.vertex, version + "uniform mat3 matrix4;\nin vec3 shade;\nout vec4 pixel;\nvoid main() { pixel = "
                                 "vec4(matrix4 * shade, 1.0); }\n"},
     };
@@ -116,9 +126,8 @@ inline ShaderTexts with_many_errors(int count)
 /// The texts some lines further down, so that their logs name other lines. As written unless inputs are to vary.
 inline ShaderTexts varied(Variation& vary, ShaderTexts texts)
 {
-    constexpr std::array lines{1, 3, 5, 12};
-    for (std::string* const text : {&texts.vertex, &texts.fragment})
-        text->insert(0, static_cast<std::size_t>(vary.one_of(0, lines)), '\n');
+    if (Random* const random = vary.random())
+        for (std::string* const text : {&texts.vertex, &texts.fragment}) text->insert(0, 1 + random->below(900), '\n');
     return texts;
 }
 

@@ -69,7 +69,7 @@ public:
 /// vector towards the light in eye
 ///   coordinates; sampler2D image; int lighting, flat_shading, textured, each 0 or 1.
 /// - The colour c is the image's at tex_coord if textured is 1, else the interpolated color. If lighting is 1 it is c
-/// (0.25 + 0.75 max(0, n·light)).
+/// (0.25 + 0.75 max(0, n·light)). Alpha is 1.
 /// - The unit vector n is the interpolated normal, normalised again; or, if flat_shading is 1, the triangle's own
 /// normal that points to the viewer.
 ///
