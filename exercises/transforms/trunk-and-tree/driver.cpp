@@ -47,17 +47,24 @@ void record_trunk(Variation& vary, Recorder& out)
     RecordingPipeline drawn(start);
     introduce(out, drawn, start);
     ask<draw_trunk>(out, drawn);
+    // Of a second trunk are recorded the layers: it is drawn like the first.
+    const Start second_start = turned_start(vary);
+    RecordingPipeline second(second_start);
+    introduce(out, second, second_start);
     // No middle of a cell lies on a line between two corners.
     const glm::dvec2 low(-0.8337, -0.3119);
     const glm::dvec2 high = low + 0.02 * glm::dvec2(160, 184);
     out.buffer("cells", filled_cells(drawn, 160, 184, low, high));
-    out.buffer("layers", layers(drawn, 160, 184, low, high));
+    ask<draw_trunk>(out, second);
+    out.buffer("layers", layers(second, 160, 184, low, high));
 }
 
 void record_edges(Recorder& out, Random& random)
 {
     for (int i = 0; i < 6; ++i) {
-        const Start start = i == 0 ? Start{} : random_start(random);
+        Start start = i == 0 ? Start{} : random_start(random);
+        // Lines thinner than a pixel among others.
+        if (i % 2 == 1) start.line_width = random.uniform(0.2F, 1);
         RecordingPipeline drawn(start);
         introduce(out, drawn, start);
         ask<draw_trunk>(out, drawn);
