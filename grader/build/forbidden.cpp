@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "build/header_texts.hpp"
 #include "build/spelling.hpp"
@@ -18,13 +17,12 @@ bool matches_any(std::string_view text, const std::vector<std::string_view>& pat
     return std::ranges::any_of(patterns, [&](std::string_view pattern) { return matches_pattern(text, pattern); });
 }
 
-/// "glm/gtx/transform.inl" of "/usr/include/glm/gtx/../gtx/transform.inl", which is how an include may be written.
+/// "glm/gtx/transform.inl" of "/usr/include/glm/gtx/transform.inl".
 std::string below_include(const std::string& path)
 {
     constexpr std::string_view folder = "/include/";
-    std::string plain = std::filesystem::path(path).lexically_normal().string();
-    const std::size_t at = plain.rfind(folder);
-    return at == std::string::npos ? plain : plain.substr(at + folder.size());
+    const std::size_t at = path.rfind(folder);
+    return at == std::string::npos ? path : path.substr(at + folder.size());
 }
 
 /// Does this function's name lie in GLM's headers?

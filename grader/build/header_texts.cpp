@@ -37,11 +37,13 @@ std::string declared_name(std::string_view text)
 const std::vector<std::string>& HeaderTexts::lines_of(const std::string& file)
 {
     const auto [entry, is_new] = files_.try_emplace(file);
-    // Larger than any of GLM's by far. What names the file came of hostile sources: it may be anything.
-    constexpr std::uintmax_t largest = std::uintmax_t{4} << 20U;
+    // All of GLM's are 2 MiB. What names the files came of hostile sources: they may be anything, and as many.
+    constexpr std::uintmax_t most = std::uintmax_t{8} << 20U;
     std::error_code error;
-    if (!is_new || !std::filesystem::is_regular_file(file, error) || std::filesystem::file_size(file, error) > largest)
-        return entry->second;
+    if (!is_new || !std::filesystem::is_regular_file(file, error)) return entry->second;
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (error || size > most - bytes_) return entry->second;
+    bytes_ += size;
     std::ifstream stream(file);
     for (std::string line; std::getline(stream, line);) entry->second.push_back(line);
     return entry->second;

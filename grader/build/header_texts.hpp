@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ private:
     const std::vector<std::string>& lines_of(const std::string& file);
 
     std::map<std::string, std::vector<std::string>> files_;
+    std::uintmax_t bytes_ = 0;  ///< of those that were read
 };
 
 /// The last name of the qualified one with which `text` begins: "operator" of "mat<4, 4, T, Q>::operator[](int)",

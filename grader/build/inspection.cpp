@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "build/real_paths.hpp"
 #include "run/confine.hpp"
 
 namespace umbral::grader {
@@ -42,8 +43,10 @@ std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem:
     Inspection inspection;
     inspection.missing = json.at("missing");
     for (const auto& pair : json.at("undefined")) inspection.undefined.push_back({pair.at(0), pair.at(1)});
+    RealPaths paths;
     for (const auto& one : json.at("functions"))
-        inspection.functions.push_back({one.at(0), one.at(1), one.at(2), one.at(3), one.at(4)});
+        inspection.functions.push_back({one.at(0), paths.of(one.at(1)), one.at(2), one.at(3), one.at(4)});
+    if (paths.too_many()) return std::nullopt;
     inspection.uncounted = json.at("uncounted");
     inspection.own_memory = json.at("own_memory");
     return inspection;

@@ -19,7 +19,7 @@ struct InspectedSymbol {
 /// A function that left code in a library, also one that was inlined.
 struct InspectedFunction {
     std::string name;  ///< as C++ writes it, at most caps::name bytes
-    std::string file;  ///< where it is declared, as the compiler knew it
+    std::string file;  ///< where it is declared, without links (RealPaths)
     int line = 0;      ///< the place of its name there, counted from 1; 0 where nothing says it
     int column = 0;
     std::string bare;  ///< its name without scope and template arguments: "rotate", "operator*"
@@ -37,8 +37,8 @@ struct Inspection {
 };
 
 /// Reads `library`, which is to define the names listed in the file `interface_names` (mangled, one a line). Nothing if
-/// the file cannot be read, by its own fault: a compiler's output always can. Throws std::runtime_error if the
-/// inspector cannot be run.
+/// the file cannot be read, by its own fault, or names too many files: a compiler's output always can. Throws
+/// std::runtime_error if the inspector cannot be run.
 [[nodiscard]] std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem::path& library,
                                                 const std::filesystem::path& interface_names);
 

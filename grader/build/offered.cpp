@@ -29,12 +29,11 @@ void add_lines(const fs::path& file, std::set<std::string>& lines)
     for (std::string line; std::getline(text, line);) lines.insert(line);
 }
 
-/// "umbral/raytracing/shadows.hpp" of a path to it; empty if it is none of the framework's headers, whose `folder` ends
-/// in a slash.
-std::string header_within(std::string_view folder, const std::string& path)
+/// "umbral/raytracing/shadows.hpp" of its real path; empty if it is none of the framework's headers, whose `folder`
+/// ends in a slash.
+std::string header_within(std::string_view folder, std::string_view path)
 {
-    const std::string plain = fs::path(path).lexically_normal().string();
-    return plain.starts_with(folder) ? plain.substr(folder.size()) : "";
+    return path.starts_with(folder) ? std::string(path.substr(folder.size())) : "";
 }
 
 }
@@ -42,7 +41,7 @@ std::string header_within(std::string_view folder, const std::string& path)
 Offered offered_to(const Toolchain& tools, const Exercise& exercise)
 {
     Offered offered;
-    offered.framework = tools.framework;
+    offered.framework = fs::weakly_canonical(tools.framework);
     add_lines(tools.units / "framework-exports.txt", offered.symbols);
     for (const std::string& used : exercise.uses) add_lines(unit_folder(tools, used) / "exports.txt", offered.symbols);
     std::vector<std::string> interfaces = exercise.interfaces;
@@ -56,7 +55,7 @@ std::optional<std::string> find_of_other_units(const Inspection& inspection, con
     const std::string folder = (offered.framework / "").lexically_normal().string();
     for (const InspectedFunction& function : inspection.functions) {
         const std::string header = header_within(folder, function.file);
-        const auto holds = [&](std::string_view folder) { return header.starts_with(folder); };
+        const auto holds = [&](std::string_view start) { return header.starts_with(start); };
         if (header.empty() || std::ranges::any_of(common, holds) || offered.headers.contains(header)) continue;
         return fmt::format("{} of <{}> is not allowed in this unit: it belongs to other units",
                            one_line(qualified_name(function.name)), one_line(header));

@@ -14,7 +14,7 @@ namespace umbral::grader {
 /// What a unit may use of Umbral's own.
 struct Offered {
     std::set<std::string> symbols;    ///< that the framework and the unit's `uses` define, mangled
-    std::filesystem::path framework;  ///< the folder of the headers
+    std::filesystem::path framework;  ///< the folder of the headers, without links
     std::set<std::string> headers;    ///< that its interfaces lead to by their includes: "umbral/raytracing/ray.hpp"
 };
 

@@ -64,13 +64,13 @@ std::vector<Entry> entries_of(const fs::path& path, ClassFolder& result)
     return entries;
 }
 
-/// The submission that a line of the roster means: by its whole name, or by that of its archive without the suffix if
-/// no other archive has it, since whoever names archives must not choose whose work they are. Null, with the reason, if
-/// there is none.
+/// The submission that a line of the roster means: by the whole name of its archive, or by that of a folder, or of an
+/// archive without its suffix, if nothing else has it, since whoever names what is handed in must not choose whose work
+/// it is. Null, with the reason, if there is none.
 Entry* meant_by(const RosterEntry& line, std::vector<Entry>& entries, std::string& reason)
 {
     const auto exact = std::ranges::find(entries, line.folder, &Entry::name);
-    if (exact != entries.end()) return &*exact;
+    if (exact != entries.end() && exact->stem != exact->name) return &*exact;
     std::vector<std::string> names;
     Entry* found = nullptr;
     for (Entry& entry : entries) {
@@ -79,8 +79,10 @@ Entry* meant_by(const RosterEntry& line, std::vector<Entry>& entries, std::strin
         found = &entry;
     }
     if (names.size() == 1) return found;
-    reason = names.empty() ? "there is no such folder"
-                           : fmt::format("each of {} could be it: list it by its whole name", listed(names));
+    reason = names.empty()
+                 ? "there is no such folder"
+                 : fmt::format("each of {} could be it: list an archive by its whole name, or rename one of them",
+                               listed(names));
     return nullptr;
 }
 

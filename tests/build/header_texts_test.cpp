@@ -41,5 +41,22 @@ TEST(HeaderTexts, know_what_a_macro_renamed)
     EXPECT_FALSE(texts.declares({"glm::reflect", folder.path(), 1, 1, "reflect"}));
 }
 
+// Debug information says what hostile sources wrote behind #line.
+TEST(HeaderTexts, are_not_read_without_end)
+{
+    const umbral::test::TemporaryFolder folder;
+    const auto header = [&](const char* name) {
+        std::ofstream stream(folder.path() / name);
+        stream << "float reflect();\n" << std::string(std::size_t{5} << 20U, '/');
+        return (folder.path() / name).string();
+    };
+    const std::string one = header("one.inl");
+    const std::string other = header("other.inl");
+    HeaderTexts texts;
+    const auto declares = [&](const std::string& file) { return texts.declares({"f", file, 1, 7, "reflect"}); };
+    EXPECT_TRUE(declares(one));
+    EXPECT_FALSE(declares(other));
+}
+
 }
 }

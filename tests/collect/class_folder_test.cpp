@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 
@@ -209,8 +210,21 @@ TEST_F(ClassFolders, an_archive_named_like_another_one_is_not_taken_for_it)
     for (const std::size_t i : {1U, 2U}) EXPECT_TRUE(found.submissions[i].id.starts_with("ana-"));
     EXPECT_EQ(found.ignored, (std::vector<Ignored>{{"ana",
                                                     "line 2 of the roster: each of ana.tar.gz, ana.zip could be "
-                                                    "it: list it by its whole name"}}));
+                                                    "it: list an archive by its whole name, or rename one of them"}}));
     EXPECT_EQ(with_roster("folder,id\nana.zip,4711\n").submissions[0].folder.filename(), "ana.zip");
+}
+
+// Nor who hands in a folder of that name.
+TEST_F(ClassFolders, a_folder_named_like_an_archive_is_not_taken_for_it)
+{
+    make("ana");
+    folder.write("class/ana.zip", "");
+    const ClassFolder found = with_roster("folder,id\nana,4711\n");
+    for (const SubmissionFolder& one : found.submissions) EXPECT_NE(one.id, "4711");
+    ASSERT_EQ(found.ignored.size(), 1U);
+    EXPECT_NE(found.ignored[0].reason.find("each of ana, ana.zip could be it"), std::string::npos);
+    const ClassFolder named = with_roster("folder,id\nana.zip,4711\n");
+    EXPECT_EQ(std::ranges::find(named.submissions, "4711", &SubmissionFolder::id)->folder.filename(), "ana.zip");
 }
 
 TEST_F(ClassFolders, wrong_rosters_are_refused_with_the_line)

@@ -158,7 +158,7 @@ TEST_F(QuestionsOfPictures, students_see_a_hidden_picture_only_as_it_is_drawn_on
     const Built built = build_spoilt("index_count_, GL_UNSIGNED_INT", "index_count_ - 3, GL_UNSIGNED_INT");
     GradeOptions options;
     options.show_hidden = true;
-    const GradedUnit graded = grade_with_evidence(worker, exercise, {built.sources, {}, ""}, options);
+    const GradedUnit graded = grade_with_evidence(worker, exercise, {built.files, {}, ""}, options);
     const auto page = [&](html::Edition edition) { return html::section_html(graded.result, graded.detail, edition); };
     const std::string told = "On practice inputs</h4>";
     EXPECT_NE(page(html::Edition::student).find(told), std::string::npos);

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "judge/noise/noise.hpp"
 #include "noise_runs.hpp"
 
@@ -31,6 +35,24 @@ TEST(Noise, a_scatter_that_right_work_does_not_need_hides_nothing)
     EXPECT_EQ(right(noise_check(5), hidden(run(random, 0.9)), picture), 0);
     EXPECT_EQ(right(noise_check(1.5), run(random), picture), 1) << "nor is right work accused";
     EXPECT_EQ(right(noise_check(1.5), estimates(random), expected), 1);
+}
+
+// The same where estimates that are all alike are spread slowly, over a sixth of the rows: neighbours hardly differ.
+TEST(Noise, a_scatter_that_neighbours_do_not_show_hides_nothing)
+{
+    Random random(seed);
+    constexpr int count = 256;
+    std::vector<double> right;
+    std::vector<double> guess;
+    for (int i = 0; i < count; ++i) {
+        right.push_back(0.5 * mean_of(random, exponential, 16));
+        const double place = std::clamp((i - count / 2) / 20.0, -1.0, 1.0);
+        const double wave = std::cos(std::numbers::pi / 2 * place);
+        guess.push_back(0.4 * 12.8 * wave * wave);
+    }
+    const Tensor expected = doubles(right, 1);
+    EXPECT_EQ(judge(noise_check(100), doubles(guess, 1), expected, nullptr).right, 1) << "this attack is one";
+    EXPECT_EQ(judge(noise_check(5), doubles(guess, 1), expected, nullptr).right, 0);
 }
 
 // Where a bias of a tenth would still be told, any scatter will do.

@@ -65,9 +65,14 @@ std::optional<double> hiding_scatter(const Estimates& yours, const Estimates& ex
     std::vector<double> scatters;
     for (std::size_t n = 0; n < tiling.sums.size(); ++n) {
         const TilePlace place = tiling.place(n);
-        if (const auto one = hiding_scatter(tiling.sums[n], noise_variance(yours, channel, place),
-                                            noise_variance(expected, channel, place)))
-            scatters.push_back(*one);
+        const TileSums& sums = tiling.sums[n];
+        const double of_expected = noise_variance(expected, channel, place);
+        // What scatters slowly, from row to row or column to column, differs little from its neighbours: of the
+        // differences from the expected estimates, in which what the picture shows is gone, all of the variance counts.
+        const double of_differences =
+            std::max(0.0, sums.squares - sums.difference * sums.difference / sums.count) / sums.count;
+        const double of_yours = std::max(noise_variance(yours, channel, place), of_differences - of_expected);
+        if (const auto one = hiding_scatter(sums, of_yours, of_expected)) scatters.push_back(*one);
     }
     if (scatters.empty()) return std::nullopt;
     const auto spoiled = static_cast<std::size_t>(most_spoiled * static_cast<double>(scatters.size()));
