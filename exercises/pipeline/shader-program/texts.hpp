@@ -33,7 +33,11 @@ uniform vec3 vectors[3];
 uniform float number_of_lamps_in_the_whole_of_the_great_hall_of_the_old_palace;
 uniform int whole;
 out vec4 pixel;
-void main() { pixel = vec4(shade + (vectors[0] + vectors[1] + vectors[2]) * number_of_lamps_in_the_whole_of_the_great_hall_of_the_old_palace, float(whole)); }
+void main()
+{
+    float lamps = number_of_lamps_in_the_whole_of_the_great_hall_of_the_old_palace;
+    pixel = vec4(shade + (vectors[0] + vectors[1] + vectors[2]) * lamps, float(whole));
+}
 )"};
 }
 
@@ -60,7 +64,11 @@ uniform vec4 further;
 uniform mat4 matrix4;
 uniform float number_of_lamps_in_the_whole_of_the_great_hall_of_the_old_palace;
 out vec4 pixel;
-void main() { pixel = matrix4 * vec4(shade, number_of_lamps_in_the_whole_of_the_great_hall_of_the_old_palace) + texture(image, shade.xy) + further; }
+void main()
+{
+    vec4 place = vec4(shade, number_of_lamps_in_the_whole_of_the_great_hall_of_the_old_palace);
+    pixel = matrix4 * place + texture(image, shade.xy) + further;
+}
 )"};
 }
 
