@@ -102,6 +102,14 @@ TEST(Traces, immediate_mode_is_deprecated_and_its_vertices_count)
     EXPECT_EQ(found.first_difference->yours, "glBegin(GL_TRIANGLES)");
 }
 
+// Of two deprecated calls the expected ones have one too: the other is told.
+TEST(Traces, the_deprecated_call_that_is_too_many_is_told)
+{
+    const std::string expected = "glPushAttrib 1\nglDrawArrays 4 0 3\nglPopAttrib\n";
+    const Judgement found = judged("glPushAttrib 1\nglDrawArrays 4 0 3\nglMatrixMode 5888\nglPopAttrib\n", expected);
+    EXPECT_TRUE(found.message.starts_with("glMatrixMode is deprecated")) << found.message;
+}
+
 TEST(Traces, drawing_nothing_earns_nothing)
 {
     EXPECT_EQ(judged("glBindVertexArray 1\nglBindVertexArray 0\n", later_frame).right, 0);

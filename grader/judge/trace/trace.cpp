@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 #include "judge/parameters.hpp"
@@ -23,14 +24,20 @@ constexpr std::string_view state_changes = "state changes";
 /// By how much numbers of smaller types may shrink a table: half a float takes 2 bytes of 4, an index may take 1 of 4.
 constexpr double smallest_types = 3;
 
-const GlCall* first_of(const GlTrace& trace, std::string_view rule)
+/// The first call that a rule counts of a function that is called more often than expected; null if there is none.
+const GlCall* first_extra(const GlTrace& trace, const GlTrace& expected, std::string_view rule)
 {
-    const auto found = std::ranges::find_if(trace.calls, [&](const GlCall& call) { return share_of(call, rule) > 0; });
+    std::map<std::string_view, std::ptrdiff_t> more;
+    for (const GlCall& call : trace.calls) ++more[call.name];
+    for (const GlCall& call : expected.calls) --more[call.name];
+    const auto found = std::ranges::find_if(
+        trace.calls, [&](const GlCall& call) { return more.at(call.name) > 0 && share_of(call, rule) > 0; });
     return found == trace.calls.end() ? nullptr : &*found;
 }
 
 /// What a teacher says of a broken rule.
-std::string complaint(std::string_view rule, double yours, double expected, const GlTrace& trace)
+std::string complaint(std::string_view rule, double yours, double expected, const GlTrace& trace,
+                      const GlTrace& expected_trace)
 {
     const auto number = [](double count, const char* one, const char* many) {
         return fmt::format("{} {}", count_text(count), count == 1 ? one : many);
@@ -56,7 +63,7 @@ std::string complaint(std::string_view rule, double yours, double expected, cons
     if (rule == state_changes)
         return fmt::format("{}, {} {} enough", number(yours, "state change", "state changes"), count_text(expected),
                            possible);
-    const GlCall* call = first_of(trace, rule);
+    const GlCall* call = first_extra(trace, expected_trace, rule);
     return call == nullptr ? "" : fmt::format("{} is deprecated: {}", call->name, instead_of_deprecated(call->name));
 }
 
@@ -141,7 +148,7 @@ Judgement judge_trace(const Check& check, const Tensor& student, const Tensor& e
         judgement.metrics[key] = mine;
         judgement.metrics["expected_" + key] = theirs;
         if (keeps(rule, mine, theirs)) continue;
-        complaints.push_back(complaint(rule, mine, theirs, *yours));
+        complaints.push_back(complaint(rule, mine, theirs, *yours, *expected));
         if (!judgement.first_difference) judgement.first_difference = first_difference(rule, *yours, *expected);
     }
     const auto rules = static_cast<double>(wanted.size());
