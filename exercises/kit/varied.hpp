@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <umbral/record/variation.hpp>
 #include <utility>
@@ -25,6 +26,14 @@ template <class T>
 {
     Random* const random = vary.random();
     return random != nullptr ? in_random_order(*random, std::move(list)) : list;
+}
+
+/// The written number, or any of the `count` ones from `least` on if inputs are to vary.
+template <class T>
+[[nodiscard]] T any_instead(Variation& vary, T written, T least, std::uint32_t count)
+{
+    Random* const random = vary.random();
+    return random != nullptr ? least + random->below(count) : written;
 }
 
 /// The plane, mirrored and turned by quarters about a point. Nothing is rounded if differences to that point are not.

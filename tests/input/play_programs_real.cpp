@@ -101,7 +101,6 @@ try {
     for (const NamedLoop& loop : {waiting_loop, animated_loop, switching_loop})
         for (const LoopSession& session : loop_sessions_for_hands(loop)) {
             LoggedProgram program(session.flags, session.habits);
-            program.escape_ends = session.habits.escape_ends;
             begin(session.script, 1.0 / 64, [&] { program.shown(); });
             program.listen(window);
             if (session.closes) glfwSetWindowShouldClose(window, GLFW_TRUE);

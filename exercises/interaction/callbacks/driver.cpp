@@ -12,6 +12,7 @@
 #include <umbral/record/driver.hpp>
 
 #include "../command_log.hpp"
+#include "../key_callback.hpp"
 #include "../script_text.hpp"
 #include "../varied_script.hpp"
 #include "scripts.hpp"
@@ -67,7 +68,19 @@ std::string told(const input::EventScript& script, glm::ivec2 size, const input:
 constexpr glm::ivec2 square{480, 480};
 constexpr glm::ivec2 wide{640, 480};
 
-/// `session`: from 1 on where a case has several, so that no command of one counts as another's; else 0.
+/// Records the commands from `first` to before `end`, which is returned. `session`: from 1 on where a case has several,
+/// so that no command of one counts as another's; else 0.
+std::size_t append_commands(Recorder& out, const std::vector<CommandRow>& commands, std::size_t first, std::size_t end,
+                            int session = 0)
+{
+    for (; first < end; ++first) {
+        std::vector<float> row(commands[first].begin(), commands[first].end());
+        if (session > 0) row.push_back(static_cast<float>(session));
+        out.append("commands", std::span<const float>(row));
+    }
+    return end;
+}
+
 void record(Recorder& out, const input::EventScript& script, glm::ivec2 size,
             const input::HeadlessSettings& settings = {}, bool listens = false, int session = 0)
 {
@@ -92,12 +105,7 @@ void record(Recorder& out, const input::EventScript& script, glm::ivec2 size,
         ask_in_words(out, [&] {
             return told(script, size, settings, listens, moment.time, out.questions()->inquiry().in_full);
         });
-        for (; next < moment.rows; ++next) {
-            const CommandRow& command = window->rows()[next];
-            std::vector<float> row(command.begin(), command.end());
-            if (session > 0) row.push_back(static_cast<float>(session));
-            out.append("commands", std::span<const float>(row));
-        }
+        next = append_commands(out, window->rows(), next, moment.rows, session);
     }
 }
 
@@ -162,8 +170,7 @@ void record_any_key(Recorder& out, Random& random)
     glfwInit();
     GLFWwindow* const window = make_window(square);
     LoggedWindow logged(window, true);
-    const GLFWkeyfun on_key = glfwSetKeyCallback(window, nullptr);
-    glfwSetKeyCallback(window, on_key);
+    const GLFWkeyfun on_key = key_callback_of(window);
     std::size_t next = logged.rows().size();
     for (int i = 0; i < 60; ++i) {
         const AnyKey event = any_key(random);
@@ -171,10 +178,7 @@ void record_any_key(Recorder& out, Random& random)
                      [&] { return "install_callbacks(window); // on_key: the key callback then\n" + told(event); });
         if (on_key != nullptr) on_key(window, event.key, event.scancode, event.action, event.mods);
         logged.look();
-        for (; next < logged.rows().size(); ++next) {
-            const CommandRow& row = logged.rows()[next];
-            out.append("commands", std::span<const float>(row));
-        }
+        next = append_commands(out, logged.rows(), next, logged.rows().size());
     }
 }
 

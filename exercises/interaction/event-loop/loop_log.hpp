@@ -38,7 +38,10 @@ inline constexpr std::string_view loop_row_names =
 
 class LoggedProgram final : public ScriptedProgram {
 public:
-    LoggedProgram(const LoopFlags& first, const Habits& habits) : ScriptedProgram(first), habits_(habits) {}
+    LoggedProgram(const LoopFlags& first, const Habits& habits) : ScriptedProgram(first), habits_(habits)
+    {
+        escape_ends = habits.escape_ends;
+    }
 
     void draw() override
     {
@@ -113,7 +116,6 @@ struct LoopResult {
 inline LoopResult play(const NamedLoop& loop, const LoopSession& session)
 {
     LoggedProgram program(session.flags, session.habits);
-    program.escape_ends = session.habits.escape_ends;
     const input::HeadlessSettings settings{.content_scale = glm::dvec2(session.content_scale),
                                            .patience_seconds = 0.1,
                                            .polls_after_closing = 20,

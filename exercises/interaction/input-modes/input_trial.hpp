@@ -11,6 +11,7 @@
 #include <umbral/record/recorder.hpp>
 #include <vector>
 
+#include "../key_callback.hpp"
 #include "../script_text.hpp"
 
 /// A program that reads its input in all three modes while a script is played to its window, and records what it gets.
@@ -83,8 +84,7 @@ public:
     /// called as GLFW would.
     void unknown_key(int action)
     {
-        const GLFWkeyfun callback = glfwSetKeyCallback(window_, nullptr);
-        glfwSetKeyCallback(window_, callback);
+        const GLFWkeyfun callback = key_callback_of(window_);
         unknown_keys_ += std::string("// at ") + std::to_string(glfwGetTime()) + " s: GLFW_KEY_UNKNOWN, " +
                          std::string(input_words::actions.at(static_cast<std::size_t>(action))) + "\n";
         if (callback != nullptr) callback(window_, GLFW_KEY_UNKNOWN, 151, action, 0);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <kit/varied.hpp>
 #include <umbral/gl/record_trace.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -107,10 +108,7 @@ void ownership(Recorder& out, Random& random)
             out.append("textures", std::span<const float>(alive));
         };
         record();
-        std::vector<int> steps = {0, 1, 2, 3, 4};
-        for (std::size_t i = steps.size(); i > 1; --i)
-            std::swap(steps[i - 1], steps[random.below(static_cast<std::uint32_t>(i))]);
-        for (const int step : steps) {
+        for (const int step : in_random_order(random, std::vector{0, 1, 2, 3, 4})) {
             ask_in_words(out, [&] {
                 return std::string(step < 2 ? "texture" : "material ") +
                        (step < 2 ? std::to_string(step + 1) : std::string(1, "abc"[step - 2])) + ".reset();";

@@ -71,8 +71,8 @@ inline std::vector<std::shared_ptr<const SurfaceMaterial>> made(const std::vecto
 }
 
 /// Four materials, and nodes whose right picture follows by hand: a material that is changed within a node, one that
-/// ends with its node, a node that has none of its own, entered below two, ones that end with
-/// a transformation and with a material.
+/// ends with its node, a node that has none of its own, entered below two, ones that end with a transformation and with
+/// a material.
 inline MaterialGraph graph_by_hand()
 {
     MaterialGraph graph;

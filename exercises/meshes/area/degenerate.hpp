@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <kit/varied.hpp>
 #include <limits>
 #include <umbral/core/random.hpp>
 #include <umbral/meshes/mesh.hpp>
+#include <utility>
 
 #include "../support.hpp"
 
@@ -37,8 +39,7 @@ inline IndexedMesh degenerate_mesh(int kind, Random& random)
     mesh.triangles.insert(mesh.triangles.end(), {{3, 3, 5}, {5, 8, 8}, {6, 7, 6}, {4, 9, 7}, {0, 1, 10}, {2, 2, 2}});
     const std::uint32_t other = 1 + random.below(8);
     mesh.triangles.push_back(random.below(2) == 0 ? glm::uvec3(0, 0, other) : glm::uvec3(0, other, 0));
-    for (std::size_t i = mesh.triangles.size(); i > 1; --i)
-        std::swap(mesh.triangles[i - 1], mesh.triangles[random.below(static_cast<std::uint32_t>(i))]);
+    mesh.triangles = in_random_order(random, std::move(mesh.triangles));
     // The first, the last, or any.
     const auto any_place = [&](std::size_t count) {
         const auto last = static_cast<std::uint32_t>(count - 1);
@@ -66,6 +67,15 @@ inline IndexedMesh degenerate_mesh(int kind, Random& random)
     return mesh;
 }
 
+/// A triangle of which x, y and z are called y, z and x, or z, x and y, after `turns`.
+inline void add_turned(IndexedMesh& mesh, const glm::vec3 (&corners)[3], int turns)
+{
+    const auto turned = [turns](const glm::vec3& p) {
+        return glm::vec3(p[turns % 3], p[(turns + 1) % 3], p[(turns + 2) % 3]);
+    };
+    add_triangle(mesh, turned(corners[0]), turned(corners[1]), turned(corners[2]));
+}
+
 /// `count` triangles that are much thinner than floats are apart where their corners lie, so that a tolerance takes
 /// them for lines; but one coordinate of theirs is next to 0. All products in their areas are nearly exact in double.
 inline IndexedMesh thin_triangles(int count, Random& random)
@@ -76,9 +86,8 @@ inline IndexedMesh thin_triangles(int count, Random& random)
         const float y = random.uniform(-2, 2);
         const float x = random.uniform(-2, 2);
         const float away = random.uniform(0.5F, 2);
-        glm::vec3 corners[3] = {{x, y, 0}, {x + away, y, 0}, {random.uniform(-2, 2), y, height}};
-        for (glm::vec3& corner : corners) corner = {corner[i % 3], corner[(i + 1) % 3], corner[(i + 2) % 3]};
-        add_triangle(mesh, corners[0], corners[1], corners[2]);
+        const glm::vec3 corners[3] = {{x, y, 0}, {x + away, y, 0}, {random.uniform(-2, 2), y, height}};
+        add_turned(mesh, corners, i);
     }
     begin_anywhere(mesh, random);
     return mesh;
@@ -94,9 +103,9 @@ inline IndexedMesh triangles_next_to_the_largest_float(int count, Random& random
         const float y = sign * random.uniform(2e38F, 3.3e38F);
         const float step = sign * std::exp2(104.0F + static_cast<float>(random.below(3)));  // one float, two or four
         const float height = std::pow(10.0F, random.uniform(-3, 3));
-        glm::vec3 corners[3] = {{x, y, height}, {x, y + step, random.uniform(-1, 1)}, {x, y, -random.uniform(1, 2)}};
-        for (glm::vec3& corner : corners) corner = {corner[i % 3], corner[(i + 1) % 3], corner[(i + 2) % 3]};
-        add_triangle(mesh, corners[0], corners[1], corners[2]);
+        const glm::vec3 corners[3] = {
+            {x, y, height}, {x, y + step, random.uniform(-1, 1)}, {x, y, -random.uniform(1, 2)}};
+        add_turned(mesh, corners, i);
     }
     begin_anywhere(mesh, random);
     return mesh;

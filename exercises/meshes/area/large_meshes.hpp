@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <kit/varied.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/meshes/mesh.hpp>
+#include <utility>
 
 #include "../support.hpp"
 
@@ -30,8 +32,7 @@ inline IndexedMesh sheet_of_all_sizes(std::uint32_t cells, Random& random)
         const auto grown = [&](std::uint32_t cell) { return std::pow(10.0, 10.0 * cell / cells - 6); };
         return glm::vec3(glm::dvec3(grown(column), 0.1 * random.uniform_double(), grown(row)));
     });
-    for (auto i = static_cast<std::uint32_t>(mesh.triangles.size()); i > 1; --i)
-        std::swap(mesh.triangles[i - 1], mesh.triangles[random.below(i)]);
+    mesh.triangles = in_random_order(random, std::move(mesh.triangles));
     return mesh;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <kit/drawing.hpp>
+#include <kit/varied.hpp>
 #include <umbral/meshes/sizes.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
@@ -40,13 +41,6 @@ void record_work(Recorder& out, std::uint64_t columns, std::uint64_t rows)
     for (const std::uint64_t count : {work.isolated, work.indexed, work.strips}) record(out, "work", count);
 }
 
-/// A number that is written down; varied, any up to `most`.
-std::uint64_t varied(Variation& vary, std::uint64_t number, std::uint32_t most)
-{
-    Random* const random = vary.random();
-    return random != nullptr ? 1 + random->below(most) : number;
-}
-
 EntryBytes random_entries(Random& random)
 {
     EntryBytes bytes;
@@ -63,13 +57,14 @@ void record_sphere(Variation& vary, Recorder& out)
 {
     // Below 1626, so that k³ bits have a number of 32 bits.
     for (const std::uint64_t k : {1U, 2U, 3U, 5U, 8U, 16U, 17U, 31U, 100U, 288U, 1024U})
-        record(out, "voxels", ask<voxel_bytes>(out, varied(vary, k, 1625)));
+        record(out, "voxels", ask<voxel_bytes>(out, any_instead<std::uint64_t>(vary, k, 1, 1625)));
     record(out, "voxels", ask<voxel_bytes>(out, 2'097'152));  // the most that there may be: 2^63 bits
     for (const std::uint64_t k : {2U, 3U, 8U, 16U, 17U, 100U, 287U, 288U, 1024U})
-        record(out, "mesh", ask<sphere_mesh_bytes>(out, 1 + varied(vary, k - 1, 2000), usual_bytes(vary)));
+        record(out, "mesh",
+               ask<sphere_mesh_bytes>(out, 1 + any_instead<std::uint64_t>(vary, k - 1, 1, 2000), usual_bytes(vary)));
     for (const auto& [vertex, index] : {std::pair{12U, 4U}, {24U, 4U}, {12U, 2U}, {1U, 1U}, {6U, 8U}, {44U, 4U}}) {
-        const std::uint64_t vertex_bytes = varied(vary, vertex, 200);
-        const std::uint64_t index_bytes = varied(vary, index, 16);
+        const std::uint64_t vertex_bytes = any_instead<std::uint64_t>(vary, vertex, 1, 200);
+        const std::uint64_t index_bytes = any_instead<std::uint64_t>(vary, index, 1, 16);
         record(out, "crossover", ask<crossover_resolution>(out, EntryBytes{vertex_bytes, index_bytes, 8}));
     }
 }
@@ -78,8 +73,8 @@ void record_grid(Variation& vary, Recorder& out)
 {
     for (const auto& [written_columns, written_rows] :
          {std::pair{1U, 1U}, {8U, 4U}, {4U, 8U}, {1U, 7U}, {128U, 128U}, {1000U, 10U}}) {
-        const std::uint64_t columns = varied(vary, written_columns, 1500);
-        const std::uint64_t rows = varied(vary, written_rows, 1500);
+        const std::uint64_t columns = any_instead<std::uint64_t>(vary, written_columns, 1, 1500);
+        const std::uint64_t rows = any_instead<std::uint64_t>(vary, written_rows, 1, 1500);
         record_counts(out, columns, rows);
         record_bytes(out, columns, rows, usual_bytes(vary));
         record_work(out, columns, rows);

@@ -1,4 +1,5 @@
 #include <kit/amount.hpp>
+#include <kit/varied.hpp>
 #include <limits>
 #include <umbral/meshes/normals.hpp>
 #include <umbral/record/ask.hpp>
@@ -74,7 +75,7 @@ void add_fan(IndexedMesh& mesh, std::uint32_t count, Random& random)
     const auto peak = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.positions.insert(mesh.positions.end(), fan.positions.begin(), fan.positions.end());
     for (std::uint32_t i = 1; i <= count; ++i) fan.triangles.emplace_back(peak, peak + i, peak + i + 1);
-    for (std::uint32_t i = count; i > 1; --i) std::swap(fan.triangles[i - 1], fan.triangles[random.below(i)]);
+    fan.triangles = in_random_order(random, std::move(fan.triangles));
     begin_anywhere(fan, random);
     mesh.triangles.insert(mesh.triangles.end(), fan.triangles.begin(), fan.triangles.end());
 }

@@ -83,8 +83,7 @@ inline Levels random_levels(Random& random, DepthFormat format)
     const std::uint32_t first = 1000 + random.below(format == DepthFormat::unorm16 ? 60'000 : 1'000'000);
     const std::uint32_t end = random.below(8);
     if (end == 0) return {format, 0};
-    if (end == 1 && format != DepthFormat::unorm24)
-        return {format, format == DepthFormat::unorm16 ? 65'535U : 16'777'215U};
+    if (end == 1 && format != DepthFormat::unorm24) return {format, static_cast<std::uint32_t>(last_code(format))};
     return {format, first};
 }
 

@@ -3,6 +3,7 @@
 #include <kit/amount.hpp>
 #include <kit/canonical.hpp>
 #include <kit/drawing.hpp>
+#include <kit/varied.hpp>
 #include <map>
 #include <numeric>
 #include <span>
@@ -74,18 +75,11 @@ void record_several(Recorder& out, const std::vector<std::uint32_t>& all, Random
     out.text("edges.names", edges);
 }
 
-/// A number of sides that is written down; varied, one of `least` to `least` + `count` - 1.
-std::uint32_t varied(Variation& vary, std::uint32_t sides, std::uint32_t least, std::uint32_t count)
-{
-    Random* const random = vary.random();
-    return random != nullptr ? least + random->below(count) : sides;
-}
-
 /// A few sides, as one can draw them; varied, up to 500.
 std::vector<std::uint32_t> few_sides(Variation& vary)
 {
     std::vector<std::uint32_t> all = {3, 4, 6, 12};
-    for (std::uint32_t& sides : all) sides = varied(vary, sides, 5, 496);
+    for (std::uint32_t& sides : all) sides = any_instead(vary, sides, 5U, 496);
     return all;
 }
 
@@ -161,7 +155,7 @@ float last_at_origin(const std::vector<glm::vec2>& positions)
 void record_joints(Variation& vary, Random& random, Recorder& out)
 {
     std::vector<std::uint32_t> all = {3, 4, 5, 7, 12, 100};
-    for (std::uint32_t& sides : all) sides = varied(vary, sides, 3, 1000);
+    for (std::uint32_t& sides : all) sides = any_instead(vary, sides, 3U, 1000);
     for (int i = 0; i < 10; ++i) all.push_back(3 + random.below(1000));
     for (const std::uint32_t sides : all) {
         const std::vector<glm::vec2> ends = ask<polygon_segments>(out, sides);
@@ -194,7 +188,7 @@ std::vector<std::uint32_t> some_corners(Random& random, std::uint32_t sides)
 void record_many(Variation& vary, Random& random, Recorder& out)
 {
     for (const std::uint32_t written : {1000U, 3600U, 10'000U, 99'991U, 300'000U, 999'983U, 1'000'000U}) {
-        const std::uint32_t sides = varied(vary, written, written - written / 10, written / 10);
+        const std::uint32_t sides = any_instead(vary, written, written - written / 10, written / 10);
         const std::vector<std::uint32_t> places = some_corners(random, sides);
         const auto record = [&](const std::vector<glm::vec2>& table, std::uint32_t step) {
             for (const std::uint32_t place : places) {
@@ -223,7 +217,7 @@ void record_dense(Random& random, Recorder& out)
 void record_long(Variation& vary, Random& random, Recorder& out)
 {
     name_sizes(out);
-    const std::uint32_t first = varied(vary, 65'536, 65'536, 1000);
+    const std::uint32_t first = any_instead(vary, 65'536U, 65'536U, 1000);
     for (const std::uint32_t sides : {first, first + 1, 67'000U + random.below(1000), 70'000U + random.below(30'000)})
         out.append("fan", std::span<const float>(size_of(ask<polygon_fan>(out, sides))));
     record_dense(random, out);

@@ -142,7 +142,7 @@ void ties(Recorder& out, Random& random)
 {
     Soup tiles = floor_of_tiles(8);
     tiles.insert(tiles.end(), tiles.begin(), tiles.end());
-    shuffle(tiles, random);
+    tiles = in_random_order(random, std::move(tiles));
     const Hierarchy hierarchy = hierarchy_of(out, tiles);
     for (int i = 0; i < 200; ++i) {
         const glm::vec2 place(static_cast<float>(random.below(16)) / 2, static_cast<float>(random.below(16)) / 2);

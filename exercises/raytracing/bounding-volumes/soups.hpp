@@ -1,7 +1,9 @@
 #pragma once
 
 #include <kit/shapes.hpp>
+#include <kit/varied.hpp>
 #include <umbral/raytracing/bounding_volumes.hpp>
+#include <utility>
 
 #include "../rays.hpp"
 
@@ -53,12 +55,6 @@ inline Soup legs_on_axes(Random& random, int count)
     return soup;
 }
 
-inline void shuffle(Soup& soup, Random& random)
-{
-    for (std::size_t i = soup.size(); i > 1; --i)
-        std::swap(soup[i - 1], soup[random.below(static_cast<std::uint32_t>(i))]);
-}
-
 inline Soup triangles_of(const shapes::Shape& shape)
 {
     Soup soup;
@@ -77,8 +73,7 @@ inline Soup hilly_ball(int n, Random& random)
                           std::cos(latitude) * std::sin(shapes::turn * u), std::sin(latitude));
         return p * (1 + 0.1F * std::sin(9 * p.x) * std::cos(7 * p.y + 2 * p.z));
     }));
-    shuffle(soup, random);
-    return soup;
+    return in_random_order(random, std::move(soup));
 }
 
 /// All round one middle, from large to small: halves of space do not part them.
@@ -91,8 +86,7 @@ inline Soup shells(int count, Random& random)
         const glm::vec3 b(double{size} * perpendicular_to(normalize(glm::dvec3(a)), random));
         soup.push_back({a, b, -a - b});
     }
-    shuffle(soup, random);
-    return soup;
+    return in_random_order(random, std::move(soup));
 }
 
 /// Each twice as far from the last corner as the one before: halves of space part one at a time.
@@ -103,8 +97,7 @@ inline Soup row_of_powers(int count, Random& random)
         const float size = std::exp2(0.5F * static_cast<float>(i) - 20);
         soup.push_back(triangle_about(glm::vec3(2 * size, 0, 0), 0.4F * size, random));
     }
-    shuffle(soup, random);
-    return soup;
+    return in_random_order(random, std::move(soup));
 }
 
 /// Needles across the whole soup, a ten-thousandth as wide as long.

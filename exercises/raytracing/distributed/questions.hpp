@@ -1,5 +1,8 @@
 #pragma once
 
+#include <kit/varied.hpp>
+#include <utility>
+
 #include "../rays.hpp"
 #include "scenes.hpp"
 
@@ -183,9 +186,7 @@ inline std::vector<PixelQuestion> sharp_pixels(Random& random)
     std::vector<PixelQuestion> questions;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) questions.push_back({"", panels(), camera, size, glm::ivec2(x, y)});
-    for (std::size_t i = questions.size() - 1; i > 0; --i)
-        std::swap(questions[i], questions[random.below(static_cast<std::uint32_t>(i) + 1)]);
-    return questions;
+    return in_random_order(random, std::move(questions));
 }
 
 /// A shining half-plane to the right of x = 0 or, with `above`, above y = 0, at a depth, and behind it the dark.

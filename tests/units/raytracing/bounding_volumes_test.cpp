@@ -93,7 +93,7 @@ TEST(BoundingVolumes, of_triangles_at_one_rounded_t_the_least_index_counts)
     Random random(seed);
     Soup tiles = floor_of_tiles(8);
     tiles.insert(tiles.end(), tiles.begin(), tiles.end());
-    shuffle(tiles, random);
+    tiles = in_random_order(random, std::move(tiles));
     const auto hierarchy = make_triangle_hierarchy(tiles);
     for (int i = 0; i < 5000; ++i) {
         const glm::vec2 place(static_cast<float>(random.below(16)) / 2, static_cast<float>(random.below(16)) / 2);
