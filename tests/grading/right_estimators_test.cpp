@@ -61,7 +61,7 @@ TEST_P(RightEstimators, all_right_ways_to_sample_pass_with_many_seeds)
                 smallest = std::min(smallest, check.metrics.at("probability"));
             }
         }
-        worker.forget_if_full();
+        worker.let_go();
     }
     std::printf("%s: %u attempts of %zu right solutions: %d noise checks, %d run again, smallest probability %.2g\n",
                 GetParam(), attempts, ways.size(), checks, again, smallest);
