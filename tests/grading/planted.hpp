@@ -22,6 +22,7 @@ namespace umbral::grader::test {
         {"verdict", "ok"},
         {"message", ""},
         {"compile_seconds", 0},
+        {"keeps_nothing", false},
         {"bytes", std::filesystem::file_size(built.library)}}.dump();
     return innocent;
 }
