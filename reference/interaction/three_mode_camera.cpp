@@ -67,7 +67,8 @@ public:
         if (!is_finite(point)) return;
         const glm::dvec3 observer = attention_ + offset();
         const glm::dvec3 n = observer - point;
-        const double r = length(n);
+        // Not the root of a sum of squares, which is no double for points that are 1e155 away.
+        const double r = std::hypot(n.x, n.y, n.z);
         if (r < no_distance) return;
         const double horizontal = std::hypot(n.x, n.z);
         if (horizontal >= vertical_sine * r) azimuth_ = std::atan2(n.x, n.z);

@@ -54,7 +54,7 @@ public:
     }
     void set_angles(float a_degrees, float b_degrees) override
     {
-        if (!std::isfinite(a_degrees + b_degrees)) throw std::invalid_argument("angles");
+        if (!std::isfinite(a_degrees) || !std::isfinite(b_degrees)) throw std::invalid_argument("angles");
         a_ = a_degrees;
         b_ = b_degrees;
     }

@@ -10,7 +10,6 @@ using namespace interaction;
 
 constexpr double pi = std::numbers::pi;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void record(Recorder& out, const ThreeModeCamera& camera)
 {
@@ -122,6 +121,10 @@ void record_limits(Variation& vary, Recorder& out)
             move_z(-5), move_z(-1e300), move_z(1)});
     record(out, varied(vary, {.distance = 500, .min_distance = 1e-3, .max_distance = 1e6}),
            {move_z(20), move_z(60), move_z(1000), move_z(-1), move_z(-400), move_z(-1e4), move_z(1)});
+    // Small steps, and many at once that come to no limit.
+    record(out, varied(vary, {.distance = 20, .min_distance = 0.5, .max_distance = 1e4, .zoom_step = 0.0025}),
+           {move_z(-150), move_z(900), move_z(-300), move_z(400.5), move_z(-1200), move_z(250), move_z(1300),
+            move_z(-1500), move_z(200), move_z(350)});
     const std::unique_ptr<ThreeModeCamera> camera = ask_new<make_three_mode_camera>(out, "camera", settings);
     if (!camera) return;
     for (int i = 1; i <= 400; ++i) {
@@ -138,14 +141,7 @@ void record_near_and_far(Variation& vary, Recorder& out)
         settings.min_distance = 0.5;
         settings.max_distance = 30;
         const glm::dvec3 observer = observer_of(settings);
-        for (const glm::dvec3& away : {glm::dvec3(0),
-                                       {0.25, 0, 0.0625},
-                                       {0, 0, 0},
-                                       {0.01, -0.02, 0.01},
-                                       {100, 50, -70},
-                                       {1e-4, 2e-4, -1e-4},
-                                       {3e-6, 0, 1e-6},
-                                       {0, -4e-7, 3e-7}})
+        for (const glm::dvec3& away : ways_too_near_or_far(vary))
             record(out, settings, {look_toward(observer + away), move_xy(0.25, 0.5), move_z(1)});
     }
 }
@@ -167,15 +163,11 @@ void record_turned_for_ever(Variation& vary, Recorder& out)
         }
 }
 
-void record_nonsense(Variation& vary, Recorder& out)
+void record_nonsense(Variation& vary, Recorder& out, Random& random)
 {
     record_turned_for_ever(vary, out);
     for (const CameraMode mode : {CameraMode::examine, CameraMode::move, CameraMode::turn})
-        record(out, varied(vary, leaning(mode)),
-               {move_xy(0.5, 0.25), move_xy(not_a_number, 1), move_xy(1, not_a_number), move_xy(infinity, 1),
-                move_xy(1, -infinity), move_z(not_a_number), move_z(infinity), move_z(-infinity), move_xy(0, -0.0),
-                look_toward({1, not_a_number, 2}), look_toward({infinity, 0, 0}), look_toward({3, 2, -infinity}),
-                move_z(0), move_xy(-0.25, 0.125), move_z(-1)});
+        record(out, varied(vary, leaning(mode)), steps_with_nonsense(random));
 }
 
 /// Two cameras in turns; what one is told must not reach the other.
@@ -189,8 +181,9 @@ void record_two(Recorder& out, Random& random)
     ask<&ThreeModeCamera::move_xy>(out, *first, 0.3, 0.2);
     const std::unique_ptr<ThreeModeCamera> second = ask_new<make_three_mode_camera>(out, "second", second_settings);
     if (!second) return;
-    for (const ThreeModeStep& step : steps) {
-        apply(out, random.below(2) == 0 ? *first : *second, step);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        // Both of them zoom before all else.
+        apply(out, random.below(2) == 0 ? *first : *second, i < 6 ? move_z(random_length(random, 3)) : steps[i]);
         record(out, *first);
         record(out, *second);
     }
@@ -222,14 +215,15 @@ void record_nearly_above(Recorder& out, Random& random)
         }
 }
 
-// A million units from the world's origin; and points too near and too far.
+// A million units from the world's origin, with strides as long; and points too near and too far.
 void record_far(Recorder& out, Random& random)
 {
     for (int i = 0; i < 24; ++i) {
         ThreeModeSettings settings = random_three_mode(random);
         settings.attention = glm::dvec3(std::pow(10.0F, random.uniform(4, 6)) * random.unit_vector());
         settings.mode = static_cast<CameraMode>(random.below(3));
-        record(out, settings, random_steps(random, 10, settings.attention));
+        record(out, settings,
+               i % 2 == 0 ? strides(random, settings.attention) : random_steps(random, 10, settings.attention));
     }
     for (int i = 0; i < 10; ++i) {
         const ThreeModeSettings settings = random_three_mode(random, 0.5);
@@ -287,7 +281,7 @@ const Driver driver = {
     {"poles", [](Case& c, Recorder& out) { record_poles(c.vary, out); }},
     {"limits", [](Case& c, Recorder& out) { record_limits(c.vary, out); }},
     {"near and far points", [](Case& c, Recorder& out) { record_near_and_far(c.vary, out); }},
-    {"nonsense", [](Case& c, Recorder& out) { record_nonsense(c.vary, out); }},
+    {"nonsense", [](Case& c, Recorder& out) { record_nonsense(c.vary, out, c.random); }},
     {"two cameras", [](Case& c, Recorder& out) { record_two(out, c.random); }},
     {"random", [](Case& c, Recorder& out) { record_random(out, c.random); }},
     {"far", [](Case& c, Recorder& out) { record_far(out, c.random); }},

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cmath>
+#include <kit/varied.hpp>
 #include <limits>
 #include <numbers>
 #include <umbral/core/random.hpp>
 #include <umbral/interaction/three_mode_camera.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/variation.hpp>
+#include <utility>
 #include <vector>
 
 /// What a user does to a three-mode camera, one step after the other.
@@ -111,6 +113,53 @@ inline std::vector<ThreeModeStep> random_steps(Random& random, int count, const 
             steps.push_back(look_toward(point));
         else
             steps.push_back(i % 2 == 0 ? move_xy(right, odd) : move_z(odd));
+    }
+    return steps;
+}
+
+/// A stride, up to a hundred times as many turns at once, and a few random steps.
+inline std::vector<ThreeModeStep> strides(Random& random, const glm::dvec3& middle)
+{
+    std::vector<ThreeModeStep> steps = random_steps(random, 10, middle);
+    const double reach = std::pow(10.0F, random.uniform(2, 5));
+    steps[0] = move_z(random_length(random, reach));
+    steps[1] = move_xy(random_length(random, 100 * reach), random_length(random, reach));
+    return steps;
+}
+
+/// From the observer to points: too far, by much or by little; the observer himself; too near; and in no direction.
+inline std::vector<glm::dvec3> ways_too_near_or_far(Variation& vary)
+{
+    return {vary.near(glm::dvec3(2e15, -3e15, 1e15), 1e15),
+            vary.near(glm::dvec3(-300, 50, 200), 40.0),
+            {100, 50, -70},
+            {0, 0, 0},
+            {0.25, 0, 0.0625},
+            {0.01, -0.02, 0.01},
+            {1e-4, 2e-4, -1e-4},
+            {3e-6, 0, 1e-6},
+            {0, -4e-7, 3e-7}};
+}
+
+/// Each number of each call once as each of NaN and the infinities, in random order; after each a step that shows what
+/// came of it.
+inline std::vector<ThreeModeStep> steps_with_nonsense(Random& random)
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<ThreeModeStep> nonsense;
+    for (const double odd : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity}) {
+        nonsense.insert(nonsense.end(), {move_xy(odd, 0.25), move_xy(0.5, odd), move_z(odd)});
+        for (int i = 0; i < 3; ++i) {
+            glm::dvec3 point = random_point(random, 3);
+            point[i] = odd;
+            nonsense.push_back(look_toward(point));
+        }
+    }
+    std::vector<ThreeModeStep> steps{move_xy(0, -0.0), move_z(0)};
+    for (const ThreeModeStep& step : in_random_order(random, std::move(nonsense))) {
+        steps.push_back(step);
+        steps.push_back(steps.size() % 4 == 1 ? move_z(random_length(random, 1))
+                                              : move_xy(random_length(random, 0.2), random_length(random, 0.1)));
     }
     return steps;
 }

@@ -20,7 +20,7 @@ using Size = glm::ivec2;
 // Square at first, wide, high, the sizes of a minimised window, and some whose product is no int or whose ratio is
 // extreme; and each activated twice, in targets of their own.
 constexpr Size sizes[] = {{640, 480}, {300, 300}, {100, 400}, {0, 0},         {1920, 1080}, {0, 77},  {640, 0},
-                          {-5, 100},  {1, 400},   {7000, 3},  {60000, 40000}, {320, -240},  {-8, -8}, {2, 1}};
+                          {-5, 100},  {1, 400},   {7000, 3},  {90000, 70000}, {320, -240},  {-8, -8}, {2, 1}};
 
 /// A size that is one, larger if inputs are to vary; a square remains one, as does what is one pixel wide.
 Size varied(Variation& vary, const Size& size)
@@ -124,13 +124,17 @@ Orbit random_orbit(Random& random)
 {
     const float a = random.uniform(-360, 360);
     const float b = random.uniform(-180, 180);
-    return {a, b, std::pow(10.0F, random.uniform(-3, 5))};
+    // Of three distances one is tiny or immense.
+    const float usual = std::pow(10.0F, random.uniform(-3, 5));
+    return {a, b, random.below(3) == 0 ? std::pow(10.0F, random.uniform(-36, 38)) : usual};
 }
 
 Size random_size(Random& random)
 {
-    const int width = 1 + static_cast<int>(random.below(2000));
-    return {width, 1 + static_cast<int>(random.below(2000))};
+    // Of three pictures one is larger than 16 bits can count.
+    const std::uint32_t largest = random.below(3) == 0 ? 150'000 : 2000;
+    const int width = 1 + static_cast<int>(random.below(largest));
+    return {width, 1 + static_cast<int>(random.below(largest))};
 }
 
 void record_random(Random& random, Recorder& out)
@@ -226,11 +230,11 @@ void record_refused(Random& random, Recorder& out)
     }
 }
 
-// Angles of up to ten million degrees, whole turns and all.
+// Angles of up to ten million degrees, whole turns and all; every third one as large as floats are.
 void record_many_turns(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
-        const float size = std::pow(10.0F, random.uniform(3, 7));
+        const float size = std::pow(10.0F, i % 3 == 2 ? random.uniform(7, 38.5F) : random.uniform(3, 7));
         const float a = size * random.uniform(-1, 1);
         const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", {a, size * random.uniform(-1, 1), 2});
         if (camera) out.append("view", activated(out, *camera).view());

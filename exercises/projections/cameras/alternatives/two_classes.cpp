@@ -1,4 +1,5 @@
 // alternative: two classes that make their matrices at each activation, by the units before this one and products
+#include <cmath>
 #include <stdexcept>
 #include <umbral/projections/camera.hpp>
 #include <umbral/projections/orthographic.hpp>
@@ -52,12 +53,14 @@ public:
     void activate(MatrixTarget& target) override
     {
         const glm::dmat4 moved = glm::translate(glm::dmat4(1), glm::dvec3(0, 0, -distance_));
-        const glm::dmat4 raised = glm::rotate(moved, glm::radians(double{b_}), glm::dvec3(1, 0, 0));
-        target.set_view(glm::mat4(glm::rotate(raised, -glm::radians(double{a_}), glm::dvec3(0, 1, 0))));
+        const glm::dmat4 raised = glm::rotate(moved, turn(b_), glm::dvec3(1, 0, 0));
+        target.set_view(glm::mat4(glm::rotate(raised, -turn(a_), glm::dvec3(0, 1, 0))));
         target.set_projection(perspective_matrix({60, window_.aspect(), 0.05F, 1000.05F}));
     }
 
 private:
+    /// In radians, without whole turns: in degrees they come off exactly.
+    static double turn(float degrees) { return glm::radians(std::remainder(double{degrees}, 360.0)); }
     static float finite(float number)
     {
         if (!std::isfinite(number)) throw std::invalid_argument("angle");
