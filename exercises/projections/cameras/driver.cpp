@@ -86,8 +86,7 @@ void record_known(Variation& vary, Recorder& out)
                                {0, 180, 6},
                                {90, 30, 4},
                                {30, 60, 8}}) {
-        const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", varied(vary, orbit));
-        if (camera) record(out, *camera);
+        if (const auto camera = made(out, "camera", varied(vary, orbit))) record(out, *camera);
     }
 }
 
@@ -271,8 +270,7 @@ void draw_windows(Variation& vary, Recorder& out)
         look_through(stage, target.view() * lowered, target.projection());
         island.draw_at_sea(stage, sky);
     }
-    const std::unique_ptr<Camera> base = ask_new<make_camera>(out, "base");
-    if (base) {
+    if (const std::unique_ptr<Camera> base = ask_new<make_camera>(out, "base")) {
         const RecordingTarget target = begin(*base, {352, 4}, {124, 124});
         const glm::mat4 model = glm::rotate(glm::mat4(1), vary.near(0.6F, 0.3F), glm::vec3(1, 0, 0)) *
                                 glm::rotate(glm::mat4(1), 0.7F, glm::vec3(0, 1, 0)) *
