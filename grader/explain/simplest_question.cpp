@@ -54,7 +54,6 @@ struct Search {
     const Check& check;
     const Difference& first;
     std::uint64_t seed;
-    SpareTime& time;
 };
 
 /// The length of the question behind the first wrong value.
@@ -68,18 +67,16 @@ double first_length(const Search& search)
 /// The wrong rows of one run, each with its question. False if the run took its whole time: another would, too.
 bool look_at(const Search& search, const Grain& grain, Simplest& simplest)
 {
-    const auto& [worker, exercise, built, check, first, seed, time] = search;
+    const auto& [worker, exercise, built, check, first, seed] = search;
     const auto ask = [&](Answers solution, Inquiry inquiry) {
         inquiry.grain = grain;
-        return search.time.spent_on(
-            search.worker.inquire(search.exercise, solution, search.check.case_name, search.seed, inquiry));
+        return search.worker.inquire(search.exercise, solution, search.check.case_name, search.seed, inquiry);
     };
     const RunOutcome told = ask(Answers::reference, {.questions = true});
     if (told.verdict != Verdict::ok) return true;
     const RunOutcome expected = judged_against(check) == Answers::reference ? told : ask(Answers::oracle, {});
     if (expected.verdict != Verdict::ok) return true;
-    const RunOutcome student =
-        time.spent_on(worker.run_coarse(exercise, built, check.case_name, seed, grain, expected));
+    const RunOutcome student = worker.run_coarse(exercise, built, check.case_name, seed, grain, expected);
     const Expected side = expected_of(check, expected);
     const Tensor* yours = observed(check, student);
     if (student.verdict == Verdict::timeout) return false;
@@ -115,7 +112,7 @@ bool look_at(const Search& search, const Grain& grain, Simplest& simplest)
     if (!best.found || (simplest.found && simplest.length <= best.length)) return true;
     // What is wrong only after other questions shows nothing.
     const RunOutcome alone =
-        time.spent_on(worker.run_coarse(exercise, built, check.case_name, seed, grain, expected, only(best.question)));
+        worker.run_coarse(exercise, built, check.case_name, seed, grain, expected, only(best.question));
     if (!is_row_right(check, alone, side, {log, best.question, best.row})) simplest.offer(best);
     return true;
 }
@@ -156,10 +153,14 @@ void add_simplest_question(Worker& worker, const Exercise& exercise, const Built
         CheckResult& of_check = result.checks[i];
         const Check& check = exercise.checks[i];
         const std::uint64_t seed = check.hidden ? of_check.practice_seed : cases.at(check.case_name).seed;
-        const Search search{worker, exercise, built, check, *shown_first(of_check), seed, time};
+        const Search search{worker, exercise, built, check, *shown_first(of_check), seed};
         Simplest simplest;
         const bool in_time = std::ranges::all_of(grains, [&](const Grain& grain) {
-            return worker.spare_time().is_left() && time.is_left() && look_at(search, grain, simplest);
+            if (!worker.spare_time().is_left() || !time.is_left()) return false;
+            const double before = worker.run_seconds();
+            const bool ended = look_at(search, grain, simplest);
+            time.spend(worker.run_seconds() - before);
+            return ended;
         });
         if (simplest.found && simplest.length < much_shorter * first_length(search)) {
             if (check.hidden)

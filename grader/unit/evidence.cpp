@@ -95,16 +95,16 @@ void add_evidence(Worker& worker, const Exercise& exercise, const CaseResults& c
 {
     bool one_shown = false;
     int pictures = 0;
-    int of_practice_shown = 0;
+    int practice_shown = 0;
     for (const std::size_t i : page_order(exercise)) {
         const Check& check = exercise.checks[i];
         const CaseResult& one = cases.at(check.case_name);
         const bool right = result.checks[i].score >= check.points;
-        if (check.hidden && is_picture(check) && !right && of_practice_shown < most_pictures)
+        if (check.hidden && is_picture(check) && !right && practice_shown < most_pictures)
             if (const auto drawn = practice.find(check.case_name); drawn != practice.end()) {
                 unit.practice[check.name] = {.evidence = seen_in(worker, exercise, check, drawn->second, "", false),
                                              .practice = true};
-                ++of_practice_shown;
+                ++practice_shown;
             }
         if (is_picture(check) && pictures == most_pictures) continue;
         const bool of_interest = !right || (is_picture(check) && !one_shown && result.verdict == Verdict::ok);

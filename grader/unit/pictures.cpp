@@ -38,10 +38,10 @@ void save_pictures(Worker& worker, const Exercise& exercise, const CaseResults& 
     bool one_saved = false;
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
-        const auto found = (check.hidden ? practice : cases).find(check.case_name);
+        const CaseResults& runs = check.hidden ? practice : cases;
+        const auto found = runs.find(check.case_name);
         const bool failing = result.checks[i].score < check.points;
-        if (!is_picture(check) || found == (check.hidden ? practice : cases).end() ||
-            !found->second.trouble().empty() ||
+        if (!is_picture(check) || found == runs.end() || !found->second.trouble().empty() ||
             (!failing && (one_saved || check.hidden || result.verdict != Verdict::ok)))
             continue;
         try {
