@@ -20,12 +20,12 @@ void write_work(const TemporaryFolder& folder, const std::string& right, const s
     folder.write("raytracing/sphere/sphere.cpp", text.replace(at, right.size(), wrong));
 }
 
-/// `umbral locate sphere` there.
+/// `umbral locate sphere` there, with these options.
 Printed located(const TemporaryFolder& folder, const std::string& right, const std::string& wrong,
-                const std::string& options = "")
+                const std::string& options = "--seconds 20")
 {
     write_work(folder, right, wrong);
-    return umbral("locate sphere --seconds 20 --dir '" + folder.path().string() + "' " + options);
+    return umbral("locate sphere --dir '" + folder.path().string() + "' " + options);
 }
 
 void expect_parts(const Printed& printed, std::initializer_list<const char*> parts)
@@ -47,7 +47,7 @@ TEST(Locate, shows_the_line_and_keeps_the_change_until_asked)
     // any.
     expect_parts(located(folder, "        if (ray.t_min < t", "\t/* ángulo */ if (ray.t_min > t"),
                  {"|     /* á", "\n      |                      ^^^^^^^^^^^^^\n"});
-    const Printed shown = located(folder, "ray.t_min < t", "ray.t_min > t", "--show");
+    const Printed shown = located(folder, "ray.t_min < t", "ray.t_min > t", "--seconds 20 --show");
     expect_parts(shown, {"The change: ray.t_min > t → ray.t_min < t"});
 }
 
