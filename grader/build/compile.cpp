@@ -3,16 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "build/compiler_files.hpp"
+#include "build/compiler_text.hpp"
 #include "build/counted.hpp"
 #include "build/machine_trouble.hpp"
+#include "build/padding_fault.hpp"
 #include "build/source_scan.hpp"
 #include "build/student_header.hpp"
 #include "model/caps.hpp"
@@ -75,65 +72,6 @@ ConfinedCommand compiler_command(const Toolchain& tools, const Exercise& exercis
     return command;
 }
 
-/// The linker names what the compiler hands it, whose names are new each time ("cc7WsPYa.o"): equal work gets equal
-/// messages.
-void name_objects(std::string& text)
-{
-    constexpr std::string_view name = "cc??????.o";
-    constexpr std::string_view shown = "object file";
-    for (std::size_t at = text.find("cc"); at != std::string::npos; at = text.find("cc", at + 1)) {
-        const auto fits = [&](std::size_t i) {
-            const char c = text[at + i];
-            return name[i] == '?' ? std::isalnum(static_cast<unsigned char>(c)) != 0 : c == name[i];
-        };
-        std::size_t i = 0;
-        while (i < name.size() && at + i < text.size() && fits(i)) ++i;
-        if (i == name.size()) text.replace(at, name.size(), shown);
-    }
-}
-
-/// Diagnostics name the student's files as written and headers as they are included, not where things lie on this
-/// machine.
-std::string without_our_paths(std::string text, const Toolchain& tools, const fs::path& work)
-{
-    for (const fs::path& folder : {work, tools.framework, tools.student_header.parent_path()}) {
-        const std::string prefix = folder.string() + "/";
-        for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at))
-            text.erase(at, prefix.size());
-    }
-    // Where a line begins with a file, as it was given to the compiler.
-    for (std::size_t at = 0; at != std::string::npos; at = text.find('\n', at + 1)) {
-        const std::size_t begin = at == 0 ? 0 : at + 1;
-        if (text.compare(begin, 2, "./") == 0) text.erase(begin, 2);
-    }
-    name_objects(text);
-    return text;
-}
-
-}
-
-std::string first_errors(std::string_view output, std::size_t lines)
-{
-    std::string kept;
-    std::istringstream stream{std::string(output)};
-    std::size_t count = 0;
-    bool relevant = false;
-    for (std::string line; std::getline(stream, line);) {
-        // A message begins a block ("sphere.cpp:3:5: error: …"); source lines and notes follow it.
-        if (line.find(": error:") != std::string::npos || line.find("undefined reference") != std::string::npos ||
-            line.find("duplicate symbol") != std::string::npos)
-            relevant = true;
-        else if (line.find(": warning:") != std::string::npos)
-            relevant = false;
-        if (!relevant) continue;
-        if (++count > lines) return kept + "…\n";
-        kept += line + '\n';
-    }
-    return kept;
-}
-
-namespace {
-
 using Outcome = Compilation::Outcome;
 using Stopped = ConfinedResult::Stopped;
 
@@ -185,16 +123,6 @@ Compilation look_through(const Toolchain& tools, const Exercise& exercise, const
     return {Outcome::built, {}, ""};
 }
 
-/// The lines "sphere.cpp:3:5: warning: …".
-std::string warnings_of(const std::string& output)
-{
-    std::string kept;
-    std::istringstream stream(output);
-    for (std::string line; std::getline(stream, line);)
-        if (line.find(": warning: ") != std::string::npos) kept += line + '\n';
-    return kept;
-}
-
 std::string diagnostics_of(const Toolchain& tools, const ConfinedCommand& command, const ConfinedResult& result)
 {
     if (ran_out_of_processor_time(result) || result.stopped == Stopped::out_of_wall_time)
@@ -206,21 +134,6 @@ std::string diagnostics_of(const Toolchain& tools, const ConfinedCommand& comman
     return printable(text, caps::message);
 }
 
-/// Does g++ output, without this machine's paths, hold an error whose place is one of these files: "sphere.cpp:3:5:
-/// error: …"?
-bool blames_own_file(std::string_view output, const Sources& files)
-{
-    std::istringstream stream{std::string(output)};
-    const auto is_error = [](const std::string& line, std::size_t from) {
-        return line.find(" error: ", from) != std::string::npos;
-    };
-    for (std::string line; std::getline(stream, line);) {
-        for (const auto& [name, text] : files)
-            if (line.starts_with(name + ":") && is_error(line, name.size())) return true;
-    }
-    return false;
-}
-
 Outcome outcome_of(const ConfinedResult& result, const Sources& files)
 {
     if (ran_out_of_processor_time(result) || result.stopped == Stopped::too_much_disk) return Outcome::too_expensive;
@@ -230,21 +143,11 @@ Outcome outcome_of(const ConfinedResult& result, const Sources& files)
     return result.stopped == Stopped::no && is_theirs ? Outcome::refused_by_compiler : Outcome::unexplained;
 }
 
-/// The library that the compiler makes of the files by this task.
+/// The library that the compiler makes of the files that lie in `work` by this task.
 Compilation library_of(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work,
-                       const std::string& library_name, std::vector<std::string> task)
+                       const std::string& library_name, const std::vector<std::string>& task)
 {
-    for (const auto& [name, text] : files) write_text(work / name, text);
-    const Compilation no_time{Outcome::too_expensive, {}, no_time_to_compile()};
-    if (has_no_time(tools)) return no_time;
-    Compilation compilation = look_through(tools, exercise, files, work);
-    if (compilation.outcome != Compilation::Outcome::built && compilation.outcome != Compilation::Outcome::unexplained)
-        return compilation;
-    for (const std::string& word :
-         {std::string("-shared"), std::string("-fuse-ld=mold"), std::string("-Wl,--no-threads"),
-          std::string("-Wl,--no-fork"), std::string("-Wl,-z,lazy"), std::string("-o"), library_name})
-        task.push_back(word);
-    if (has_no_time(tools)) return no_time;
+    if (has_no_time(tools)) return {Outcome::too_expensive, {}, no_time_to_compile()};
     const ConfinedCommand command = compiler_command(tools, exercise, files, work, task);
     ConfinedResult result = run_compiler(tools, command);
     // On a busy machine less may be counted of a process than it was stopped for.
@@ -253,23 +156,50 @@ Compilation library_of(const Toolchain& tools, const Exercise& exercise, const S
     if (result.exit_status == confinement_failed)
         throw std::runtime_error("the compiler cannot be run: " + result.output);
     const fs::path library = work / library_name;
+    Compilation compilation;
+    const std::string output =
+        without_folders(std::move(result.output), {work, tools.framework, tools.student_header.parent_path()});
     if (result.exit_status != 0 || !fs::is_regular_file(fs::symlink_status(library))) {
-        result.output = without_our_paths(std::move(result.output), tools, work);
+        result.output = output;
         compilation.outcome = outcome_of(result, files);
         compilation.lacks_machine = tools_are_in_trouble(result.output);
         compilation.diagnostics = diagnostics_of(tools, command, result);
-        return compilation;
-    }
-    if (fs::file_size(library) > caps::library) {
+    } else if (fs::file_size(library) > caps::library) {
         compilation.outcome = Outcome::refused_by_compiler;
         compilation.diagnostics =
             fmt::format("your files compile to {} bytes; at most {} are taken", fs::file_size(library), caps::library);
-        return compilation;
+    } else {
+        compilation = {Outcome::built, library, printable(warnings_of(output), caps::message)};
     }
-    compilation.diagnostics =
-        printable(warnings_of(without_our_paths(std::move(result.output), tools, work)), caps::message);
+    return compilation;
+}
+
+/// Looks through the files, and has the compiler make a library of them by this task; once more, with variables left
+/// unfilled, where filling them would overwrite what the files wrote.
+Compilation checked_library_of(const Toolchain& tools, const Exercise& exercise, const Sources& files,
+                               const fs::path& work, const std::string& library_name, std::vector<std::string> task)
+{
+    for (const auto& [name, text] : files) write_text(work / name, text);
+    if (has_no_time(tools)) return {Outcome::too_expensive, {}, no_time_to_compile()};
+    Compilation looked = look_through(tools, exercise, files, work);
+    if (looked.outcome != Outcome::built && looked.outcome != Outcome::unexplained) return looked;
+    for (const std::string& word :
+         {std::string("-shared"), std::string("-fuse-ld=mold"), std::string("-Wl,--no-threads"),
+          std::string("-Wl,--no-fork"), std::string("-Wl,-z,lazy"), std::string("-o"), library_name})
+        task.push_back(word);
+    const Toolchain unfilled = without_filling(tools);
+    const bool fills = unfilled.flags != tools.flags;
+    if (fills) task.emplace_back(dump_for_padding_fault);
+    Compilation compilation = library_of(tools, exercise, files, work, library_name, task);
+    if (fills && compilation.outcome == Outcome::built && padding_fault_in(work)) {
+        fs::remove(*compilation.library);
+        compilation = library_of(unfilled, exercise, files, work, library_name, task);
+    }
     // Nothing is run that was not looked through.
-    if (compilation.outcome == Outcome::built) compilation.library = library;
+    if (looked.outcome == Outcome::unexplained && compilation.outcome == Outcome::built) {
+        looked.diagnostics = std::move(compilation.diagnostics);
+        return looked;
+    }
     return compilation;
 }
 
@@ -285,14 +215,14 @@ Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sour
         task.insert(task.begin(), {"-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections"});
     if (exercise.counts_work)
         for (const std::string_view name : counted_calls) task.push_back(fmt::format("-Wl,--wrap={}", name));
-    return library_of(tools, exercise, files, work, "student.so", std::move(task));
+    return checked_library_of(tools, exercise, files, work, "student.so", std::move(task));
 }
 
 Compilation compile_driver(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
 {
     Exercise uncounted = exercise;
     uncounted.counts_work = false;
-    return library_of(tools, uncounted, files, work, "driver.so", {"-Wl,-Bsymbolic"});
+    return checked_library_of(tools, uncounted, files, work, "driver.so", {"-Wl,-Bsymbolic"});
 }
 
 }

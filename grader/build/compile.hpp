@@ -47,7 +47,4 @@ enum class Diagnostics { plain, json };
 [[nodiscard]] Compilation compile_driver(const Toolchain& tools, const Exercise& exercise, const Sources& files,
                                          const std::filesystem::path& work);
 
-/// The first errors of g++ output, with their notes and source lines, at most `lines` lines.
-[[nodiscard]] std::string first_errors(std::string_view output, std::size_t lines);
-
 }
