@@ -51,7 +51,7 @@ struct Seen {
 
 Seen compile(const std::string& members, const std::string& values, const std::string& sums)
 {
-    const TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     folder.write("a.cpp",
                  "#include <array>\n#include <cstdlib>\nstruct V { double x, y, z, w; };\nstruct P { double x; char c; "
                  "};\nstruct T { " +
@@ -80,7 +80,7 @@ TEST(PaddingFault, is_found_where_a_program_of_this_compiler_has_it)
         {"int k; V v[2]; bool on;", "1, {" + v + ", " + v + "}, true", "t.v[0].x * 50 + t.v[1].w * 49 + t.k"},
         {"int k; P p[6]; bool on;", "1, {{a, 1}, {a, 2}}, true", "t.p[0].x * 50 + t.p[1].x * 49 + t.k"},
         {"int k; double d[30]; bool on;", "1, {a, a, a}, true", "t.d[0] * 50 + t.d[1] * 49 + t.k"},
-        {"int k; std::array<V, 8> v; bool on;", "1, {" + v + ", " + v + "}, true",
+        {"int k; std::array<V, 8> v; bool on;", "1, {{" + v + ", " + v + "}}, true",
          "t.v[0].x * 50 + t.v[1].w * 49 + t.k"},
         {"int k; struct { V v[3][3]; } in; bool on;", "1, {{{" + v + "}}}, true", "t.in.v[0][0].x * 99 + t.k"},
         {"int k; bool on; V v[4];", "1, true, {" + v + "}", "t.v[0].x * 99 + t.k"},
