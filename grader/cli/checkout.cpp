@@ -83,19 +83,24 @@ int run_into(const fs::path& log, std::vector<std::string> words)
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// No other build in this folder until it goes out of scope; the launcher takes the same lock.
-Descriptor lock_build(const fs::path& folder)
+/// No other build in this checkout until it goes out of scope; the launcher takes the same lock. Says so if it has to
+/// wait for another one.
+Descriptor lock_build(const Application& application)
 {
+    const fs::path& folder = application.layout.build;
     Descriptor lock(open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+    if (lock && flock(lock.get(), LOCK_EX | LOCK_NB) == 0) return lock;
+    if (lock && errno == EWOULDBLOCK) application.say("another build is running in this checkout; waiting for it");
     if (!lock || flock(lock.get(), LOCK_EX) != 0)
         throw std::runtime_error(fmt::format("cannot build in {}: {}", folder.string(), std::strerror(errno)));
     return lock;
 }
 
 /// Builds targets, one build of this folder at a time, as the launcher does too.
-void build_targets(const fs::path& folder, const std::vector<std::string>& targets)
+void build_targets(const Application& application, const std::vector<std::string>& targets)
 {
-    const Descriptor lock = lock_build(folder);
+    const Descriptor lock = lock_build(application);
+    const fs::path& folder = application.layout.build;
     const fs::path log = folder / "units.log";
     std::vector<std::string> words{"cmake", "--build", folder.string(), "--target"};
     words.insert(words.end(), targets.begin(), targets.end());
@@ -118,7 +123,7 @@ void configure_tests(const Application& application)
     const fs::path& folder = application.layout.build;
     if (has_tests(folder)) return;
     application.say("configuring the build with its tests");
-    const Descriptor lock = lock_build(folder);
+    const Descriptor lock = lock_build(application);
     const fs::path log = folder / "units.log";
     const auto configure = [&](const fs::path& into, const char* testing) {
         return run_into(into, {"cmake", "-S", application.layout.data.string(), "-B", folder.string(), testing}) == 0;
@@ -176,7 +181,7 @@ void have_built(const Application& application, std::span<const Exercise> units,
     };
     say("building {} for the first time: {}", missing);
     say("bringing {} up to date, whose sources were changed: {}", changed);
-    build_targets(application.layout.build, targets);
+    build_targets(application, targets);
     // The build leaves a mark as it is where a change leads to nothing new; then it would be asked each time.
     for (const fs::path& mark : marks) fs::last_write_time(mark, fs::file_time_type::clock::now());
 }
@@ -189,7 +194,7 @@ fs::path have_program(const Application& application, const std::string& name)
             "this needs the program {}, which students' packages do not hold; install umbral-instructor", name));
     if (!fs::exists(program)) {
         application.say(fmt::format("building {} for the first time", name));
-        build_targets(application.layout.build, {name});
+        build_targets(application, {name});
     }
     return program;
 }
@@ -208,7 +213,7 @@ fs::path have_fresh_program(const Application& application, const std::string& n
     const fs::path program = application.tools.programs / name;
     application.say(fs::exists(program) ? fmt::format("bringing {} up to date", name)
                                         : fmt::format("building {} for the first time", name));
-    build_targets(application.layout.build, {name});
+    build_targets(application, {name});
     return program;
 }
 

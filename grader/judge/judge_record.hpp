@@ -84,6 +84,7 @@ struct JudgeRecord {
     bool plain_values = true;                  ///< the values themselves are compared, and not what is counted in them
     std::size_t more_cells = caps::rows_more;  ///< so many more than expected are read
     bool counts_work = false;                  ///< its values count the work of code that was compiled for it
+    bool is_of_drawing = false;                ///< its values say how pictures are drawn, and are worth what is drawn
     Look look = Look::none;
     bool (*can_be_drawn)(const Tensor&) = nullptr;  ///< null: whatever has a look
 

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Options, as of the compiler, in the order of MutantFamily.
-constexpr std::array<const char*, 3> families{"", "--slips", "--repairs"};
+constexpr std::array<const char*, 4> families{"", "--slips", "--repairs", "--idle"};
 
 /// A program to run in `work` on the source there, with what a compiler of it reads.
 ConfinedCommand command_in(const fs::path& work, const Toolchain& tools)

@@ -1,5 +1,5 @@
-// umbral-mutate [--slips | --repairs] FILE FLAG…: the mutants of a C++ file, compiled with these flags, as JSON. It
-// links libclang, which nothing else needs, and reads students' files too: it runs confined.
+// umbral-mutate [--slips | --repairs | --idle] FILE FLAG…: the mutants of a C++ file, compiled with these flags, as
+// JSON. It links libclang, which nothing else needs, and reads students' files too: it runs confined.
 
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -11,9 +11,12 @@ int main(int count, char** words)
 try {
     using namespace umbral::grader;
     const std::string_view family = count > 1 && std::string_view(words[1]).starts_with("--") ? words[1] : "";
-    const auto find = family == "--slips" ? find_slips : family == "--repairs" ? find_repairs : find_mutants;
+    const auto find = family == "--slips"     ? find_slips
+                      : family == "--repairs" ? find_repairs
+                      : family == "--idle"    ? find_idle
+                                              : find_mutants;
     const int file = family.empty() ? 1 : 2;
-    if (count <= file) throw std::runtime_error("usage: umbral-mutate [--slips | --repairs] FILE FLAG…");
+    if (count <= file) throw std::runtime_error("usage: umbral-mutate [--slips | --repairs | --idle] FILE FLAG…");
     const Syntax syntax = parse(words[file], {words + file + 1, words + count});
     nlohmann::json list = nlohmann::json::array();
     for (const Mutant& mutant : find(syntax))

@@ -17,7 +17,7 @@ public:
         const Node* const body = running_body(syntax_, function);
         if (body == nullptr) return;
         if (function.kind != CXCursor_Constructor && body->children.size() > 1)
-            insert(*body, function.type == "void" ? "return;" : "return {};");
+            mutants_.push_back(early_return(function, *body));
         visit(*body, false);
     }
 
@@ -100,18 +100,6 @@ private:
         mutants_.push_back(std::move(mutant));
     }
 
-    void insert(const Node& body, const std::string& statement)
-    {
-        Mutant mutant;
-        mutant.form = Mutant::Form::inserted;
-        mutant.begin = mutant.end = body.begin + 1;
-        mutant.line = body.line;
-        mutant.replacement = statement;
-        mutant.kind = "early return";
-        mutant.change = "{ → { " + statement;
-        mutants_.push_back(std::move(mutant));
-    }
-
     const Syntax& syntax_;
     std::vector<Mutant> mutants_;
 };
@@ -127,6 +115,18 @@ std::string one_line(const std::string& text)
     return line;
 }
 
+}
+
+Mutant early_return(const Node& function, const Node& body)
+{
+    Mutant mutant;
+    mutant.form = Mutant::Form::inserted;
+    mutant.begin = mutant.end = body.begin + 1;
+    mutant.line = body.line;
+    mutant.replacement = function.type == "void" ? "return;" : "return {};";
+    mutant.kind = "early return";
+    mutant.change = "{ → { " + mutant.replacement;
+    return mutant;
 }
 
 std::vector<Mutant> numbered(std::vector<Mutant> mutants)

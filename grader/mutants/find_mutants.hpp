@@ -22,6 +22,12 @@ namespace umbral::grader {
 /// comparison the other way round, any other component or variable of the same type.
 [[nodiscard]] std::vector<Mutant> find_repairs(const Syntax& syntax);
 
+/// Every function returns at once, with nothing. Those that make an object have to give one.
+[[nodiscard]] std::vector<Mutant> find_idle(const Syntax& syntax);
+
+/// An early return from a function with this body.
+[[nodiscard]] Mutant early_return(const Node& function, const Node& body);
+
 /// Sorted by their places, and numbered from 1.
 [[nodiscard]] std::vector<Mutant> numbered(std::vector<Mutant> mutants);
 

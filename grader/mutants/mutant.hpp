@@ -8,9 +8,10 @@ namespace umbral::grader {
 
 /// What kind of changes are looked for.
 enum class MutantFamily {
-    syntax,  ///< one sign of the language after the other
-    slips,   ///< what students write instead
-    repairs  ///< what may mend a student's own work
+    syntax,   ///< one sign of the language after the other
+    slips,    ///< what students write instead
+    repairs,  ///< what may mend a student's own work
+    idle      ///< functions that return at once
 };
 
 /// A small change of a source, a reference's or a student's, made at run time where the run is given its number.

@@ -125,10 +125,11 @@ std::string with_mutants(const std::string& source, std::span<const Mutant> muta
     // A change of another type would change the original too: both sides of a ?: become one type.
     return fmt::format(
         "#include <cmath>\n#include <map>\n#include <type_traits>\n#include <vector>\nextern \"C\" {{ int {0} = 0; }}\n"
-        "static inline bool umbral_mutant(int number) {{ return {0} % {2} == number || {0} / {2} == number; }}\n"
+        "static inline bool umbral_mutant(int number) "
+        "{{ return {0} % {2} == number || {0} / {2} == number || {0} == {4}; }}\n"
         "template <class T, class U> requires std::is_same_v<std::remove_cvref_t<T>, std::remove_cvref_t<U>>\n"
         "static inline T umbral_as(U&& changed) {{ return static_cast<T>(changed); }}\n{3}#line 1\n{1}",
-        chosen_mutant, Writer(source, mutants).text(), most_mutants, keeps_answers);
+        chosen_mutant, Writer(source, mutants).text(), most_mutants, keeps_answers, all_mutants);
 }
 
 }

@@ -16,6 +16,9 @@ inline constexpr unsigned most_mutants = 1U << 15U;
 /// What to choose for two mutants of a library at once.
 [[nodiscard]] constexpr unsigned both(unsigned one, unsigned other) { return one + other * most_mutants; }
 
+/// What to choose for all mutants of a library at once.
+inline constexpr unsigned all_mutants = 0x7fff'ffff;
+
 /// In diagnostics, the line of mutant n is this one and n more: what does not compile can be left out.
 inline constexpr std::size_t first_mutant_line = 1'000'000;
 

@@ -80,6 +80,17 @@ for name in "$work/fakes/cmake" "$work/fakes/ctest" "$work/project/build/release
     chmod +x "$name"
 done
 
+# Whoever has to wait for another build is told so.
+(
+    flock 8
+    echo held >"$work/held"
+    sleep 1
+) 8>"$work/project/build/release/lock" &
+while [ ! -e "$work/held" ]; do sleep 0.1; done
+(cd "$work/project" && ./umbral list) >"$work/printed" 2>&1 || true
+wait
+expect "a call that waits for another build says so" grep -q 'another build is running in this checkout' "$work/printed"
+
 # Each unit has its turn with one of twelve commits, and is validated with three more; each folder of tests has its turn
 # with two of six, or with all.
 mkdir -p "$work/project/exercises/transforms/hook" "$work/project/exercises/meshes/area" "$work/project/exercises/meshes/ply" \

@@ -11,6 +11,7 @@
 
 #include "cli/application.hpp"
 #include "cli/authors/commands.hpp"
+#include "cli/authors/idle.hpp"
 #include "cli/authors/mutants.hpp"
 #include "cli/checkout.hpp"
 #include "cli/paths.hpp"
@@ -31,6 +32,7 @@ struct ValidateOptions {
     std::string table;
     bool mutants = false;
     bool slips = false;
+    bool idle = false;
     std::string markdown;
 };
 
@@ -124,10 +126,12 @@ void add_validate(Command command, Application& application)
     command.flag("--slips", options->slips,
                  "Instead: what students write by a slip in each reference (another component, variable or order, a "
                  "tolerance, a kept answer) must lose points");
+    command.flag("--idle", options->idle, "Instead: a program whose functions do nothing must earn nothing");
     command.option("--markdown", options->markdown, "With --mutants or --slips: write what came of them as Markdown")
         .called("FILE");
     command.runs([&application, options] {
         if (options->mutants && options->slips) throw UsageError("--mutants and --slips: one after the other");
+        if (options->idle) return validate_idle(application, options->units, options->jobs);
         if (options->mutants || options->slips)
             return validate_mutants(application,
                                     {options->units, options->jobs, options->json, options->quiet, options->markdown,

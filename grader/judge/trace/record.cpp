@@ -111,6 +111,7 @@ constinit const JudgeRecord trace_judge{
     .free_rows = true,
     .plain_values = false,
     .more_cells = caps::trace_bytes,
+    .is_of_drawing = true,
     .judge = [](const Question& q) { return judge_trace(q.check, q.student, q.expected); },
     .controls =
         [](const Check&, const Tensor& expected, std::uint64_t) {

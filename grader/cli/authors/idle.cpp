@@ -1,0 +1,37 @@
+#include "cli/authors/idle.hpp"
+
+#include <fmt/format.h>
+
+#include <mutex>
+
+#include "cli/checkout.hpp"
+#include "model/one_cpp_file.hpp"
+#include "mutants/idle_unit.hpp"
+#include "report/paint.hpp"
+#include "worker/crew.hpp"
+
+namespace umbral::grader {
+
+void validate_idle(Application& application, const std::vector<std::string>& units, std::size_t jobs)
+{
+    const Paint paint(application.style);
+    application.require_answers();
+    std::vector<Exercise> exercises = units.empty() ? application.readable() : application.chosen(units);
+    std::erase_if(exercises, [](const Exercise& exercise) { return !is_one_cpp_file(exercise); });
+    const std::filesystem::path finder = have_finder(application, "validate --idle finds functions");
+    have_built(application, exercises, UnitParts::answers);
+    std::mutex mutex;
+    std::size_t earning = 0;
+    Crew(application.tools, jobs).share_out(exercises.size(), [&](Worker& worker, std::size_t index) {
+        const IdleUnit idle = try_idle(worker, finder, exercises[index], 0);
+        const std::lock_guard lock(mutex);
+        earning += idle.credit > 0 || !idle.trouble.empty() ? 1 : 0;
+        fmt::print("{:<32} {:5.1f} % {}\n", idle.unit, idle.credit, paint.safe(idle.trouble));
+        for (const std::string& check : idle.earning) fmt::print("    {}\n", check);
+        (void)std::fflush(stdout);
+    });
+    fmt::print("{} units, in {} of them a program that does nothing earns points\n", exercises.size(), earning);
+    if (earning > 0) application.exit_status = exit_not_right;
+}
+
+}

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "worker/worker.hpp"
+
+namespace umbral::grader {
+
+/// What a program earns that does nothing.
+struct IdleUnit {
+    std::string unit;
+    double credit = 0;                 ///< percent of the unit's points
+    std::vector<std::string> earning;  ///< the checks that it earns points in, as "frames/state 1.00 of 1.00"
+    std::string trouble{};             ///< why it could not be tried
+};
+
+/// Grades the unit's reference, in which every function returns at once, with the inputs of one seed. `finder`:
+/// umbral-mutate.
+[[nodiscard]] IdleUnit try_idle(Worker& worker, const std::filesystem::path& finder, const Exercise& exercise,
+                                unsigned seed);
+
+}
