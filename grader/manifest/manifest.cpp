@@ -13,6 +13,7 @@
 #include "manifest/marks.hpp"
 #include "manifest/recorded_values.hpp"
 #include "manifest/units.hpp"
+#include "manifest/with.hpp"
 #include "model/forbidden_families.hpp"
 #include "text/field.hpp"
 
@@ -191,6 +192,7 @@ Check read_check(const Field& field)
     if (const Field zero = field.member("zero"); zero.given()) check.zero = zero.number(0, 1);
     if (!(check.zero < check.full)) field.member("zero").refuse(fmt::format("less than \"full\" ({})", check.full));
     if (const Field why = field.member("why"); why.given()) check.why = why.text(1000);
+    if (const Field with = field.member("with"); with.given()) check.with = with.text(200);
     read_shared(field, judge, check);
     read_own(field, judge, check);
     return check;
@@ -250,6 +252,7 @@ Exercise parse_exercise(const nlohmann::json& json, const std::string& where)
     exercise.limits = read_limits(root.member("limits"), exercise.gl);
     exercise.rubric = read_rubric(root.member("rubric"));
     exercise.checks = read_checks(root.member("checks"), exercise.rubric.size());
+    expect_known_with(root.member("checks"), exercise);
     exercise.knob = read_unit_knob(root.member("knob"), exercise);
     exercise.counts_work =
         std::ranges::any_of(exercise.checks, [](const Check& check) { return judge_of(check).counts_work; });

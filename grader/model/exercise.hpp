@@ -51,6 +51,7 @@ struct Check {
     double range_high = 1;        ///< … and the value shown white
     std::string why;              ///< where the tolerance comes from
     std::string about{};          ///< what the unit's statement says that it looks at; empty if it says nothing
+    std::string with{};           ///< the check that this one's points hang on: it earns no larger share
     std::size_t rubric_line = 0;  ///< of the unit's rubric, from 0 on
     std::any own;                 ///< what only this judge takes: a plain struct of its folder (parameters_of)
 

@@ -33,7 +33,7 @@ IdleUnit try_idle(Worker& worker, const std::filesystem::path& finder, const Exe
             if (check.score > 0)
                 idle.earning.push_back(
                     fmt::format("{} {:.2f} of {:.2f}", check.name, points(check.score), points(check.max_score)));
-        if (result.score == 0 && !result.message.empty()) idle.trouble = result.message;
+        if (result.verdict == Verdict::grader_fault) idle.trouble = result.message;
     } catch (const std::exception& error) {
         idle.trouble = error.what();
     }

@@ -14,6 +14,10 @@ struct IdleUnit {
     double credit = 0;                 ///< percent of the unit's points
     std::vector<std::string> earning;  ///< the checks that it earns points in, as "frames/state 1.00 of 1.00"
     std::string trouble{};             ///< why it could not be tried
+
+    /// Does it earn no more than what comes of rounding, and of pixels that are right by chance?
+    [[nodiscard]] bool holds() const { return trouble.empty() && credit <= most_credit; }
+    static constexpr double most_credit = 2;
 };
 
 /// Grades the unit's reference, in which every function returns at once, with the inputs of one seed. `finder`:

@@ -24,7 +24,7 @@
 #include "unit/pictures.hpp"
 #include "unit/rerun.hpp"
 #include "unit/troubles.hpp"
-#include "unit/worth_of_calls.hpp"
+#include "unit/worth_with_others.hpp"
 #include "worker/case_results.hpp"
 #include "worker/student_case.hpp"
 #include "worker/weigh_cost.hpp"
@@ -146,7 +146,7 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
     }
     rerun_borderline(worker, exercise, built, cases, options, result);
     weigh_costs(worker, exercise, built, cases, result);
-    weigh_calls(worker, exercise, cases, result);
+    weigh_with_others(worker, exercise, cases, result);
     if (options.other_inputs) expect_the_same_of_other_inputs(worker, exercise, built, cases, options, result);
     // Behind that, which is to weigh all that was earned: what is all right still.
     expect_the_same_beside_others(worker, exercise, built, cases, options, result);

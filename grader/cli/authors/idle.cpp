@@ -12,7 +12,7 @@
 
 namespace umbral::grader {
 
-void validate_idle(Application& application, const std::vector<std::string>& units, std::size_t jobs)
+void validate_idle(Application& application, const std::vector<std::string>& units, std::size_t jobs, bool quiet)
 {
     const Paint paint(application.style);
     application.require_answers();
@@ -25,12 +25,14 @@ void validate_idle(Application& application, const std::vector<std::string>& uni
     Crew(application.tools, jobs).share_out(exercises.size(), [&](Worker& worker, std::size_t index) {
         const IdleUnit idle = try_idle(worker, finder, exercises[index], 0);
         const std::lock_guard lock(mutex);
-        earning += idle.credit > 0 || !idle.trouble.empty() ? 1 : 0;
+        earning += idle.holds() ? 0 : 1;
+        if (quiet && idle.holds()) return;
         fmt::print("{:<32} {:5.1f} % {}\n", idle.unit, idle.credit, paint.safe(idle.trouble));
         for (const std::string& check : idle.earning) fmt::print("    {}\n", check);
         (void)std::fflush(stdout);
     });
-    fmt::print("{} units, in {} of them a program that does nothing earns points\n", exercises.size(), earning);
+    fmt::print("{} units, in {} of them a program that does nothing earns more than {:g} % of the points\n",
+               exercises.size(), earning, IdleUnit::most_credit);
     if (earning > 0) application.exit_status = exit_not_right;
 }
 

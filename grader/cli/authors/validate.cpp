@@ -131,7 +131,7 @@ void add_validate(Command command, Application& application)
         .called("FILE");
     command.runs([&application, options] {
         if (options->mutants && options->slips) throw UsageError("--mutants and --slips: one after the other");
-        if (options->idle) return validate_idle(application, options->units, options->jobs);
+        if (options->idle) return validate_idle(application, options->units, options->jobs, options->quiet);
         if (options->mutants || options->slips)
             return validate_mutants(application,
                                     {options->units, options->jobs, options->json, options->quiet, options->markdown,

@@ -1,0 +1,106 @@
+#include "unit/worth_with_others.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "judge/explain/likeness.hpp"
+#include "judge/judges.hpp"
+#include "judge/rows/tensor_view.hpp"
+#include "judge/rules.hpp"
+#include "report/paint.hpp"
+
+namespace umbral::grader {
+namespace {
+
+/// What a picture has in common with the right one, at a glance, that is enough for all points.
+constexpr double enough = 0.5;
+
+/// 1 where a pixel is not the background's, which the first one is.
+std::vector<double> outline(const Tensor& picture)
+{
+    const TensorView view(picture);
+    std::vector<double> inside(view.cells());
+    for (std::size_t i = 0; i < inside.size(); ++i)
+        inside[i] = std::ranges::equal(view.cell(i), view.cell(0)) ? 0.0 : 1.0;
+    return inside;
+}
+
+/// The correlation of two outlines; 0 where one of them is empty, or all there is.
+double common_outline(const Tensor& a, const Tensor& b)
+{
+    const std::vector<double> mine = outline(a);
+    const std::vector<double> other = outline(b);
+    const auto count = static_cast<double>(mine.size());
+    const double here = std::reduce(mine.begin(), mine.end()) / count;
+    const double there = std::reduce(other.begin(), other.end()) / count;
+    const double both = std::inner_product(mine.begin(), mine.end(), other.begin(), 0.0) / count;
+    const double spread = std::sqrt(here * (1 - here) * there * (1 - there));
+    return spread > 0 ? (both - here * there) / spread : 0.0;
+}
+
+/// The share of a check's points that what hangs on it may earn: its own, or more if its picture has much in common
+/// with the right one.
+double share_of(Worker& worker, const Exercise& exercise, const Check& check, const CaseResult& one,
+                const CheckResult& earned)
+{
+    const double share = static_cast<double>(earned.score) / static_cast<double>(check.points);
+    if (judge_of(check).look == Look::none || check.relation) return share;
+    const RunOutcome& run = worker.trusted(exercise, judged_against(check), check.case_name, one.seed);
+    const Tensor* const mine = observed(check, one.student);
+    const Tensor* const right = expected_of(check, run).value;
+    if (mine == nullptr || right == nullptr || !well_formed(*mine) || right->cells() == 0 ||
+        shape_error(check, *mine, *right))
+        return share;
+    const double drawn = std::max(likeness(check, *mine, *right).value_or(0), common_outline(*mine, *right));
+    return std::max(share, std::min(drawn / enough, 1.0));
+}
+
+/// The checks that this one hangs on, of which the best counts; none if it hangs on none.
+std::vector<std::size_t> others_of(const Exercise& exercise, const Check& check)
+{
+    const auto find = [&](const auto& is_one) {
+        std::vector<std::size_t> found;
+        for (std::size_t i = 0; i < exercise.checks.size(); ++i)
+            if (is_one(exercise.checks[i])) found.push_back(i);
+        return found;
+    };
+    if (!check.with.empty()) return find([&](const Check& other) { return other.name == check.with; });
+    if (!judge_of(check).is_of_drawing) return {};
+    const auto is_picture = [](const Check& other) { return judge_of(other).look == Look::colours && !other.relation; };
+    const auto here = [&](const Check& other) { return is_picture(other) && other.case_name == check.case_name; };
+    const std::vector<std::size_t> in_case = find(here);
+    return in_case.empty() ? find(is_picture) : in_case;
+}
+
+}
+
+void weigh_with_others(Worker& worker, const Exercise& exercise, const CaseResults& cases, UnitResult& result)
+{
+    const std::vector<CheckResult> before = result.checks;
+    for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
+        const Check& check = exercise.checks[i];
+        CheckResult& earned = result.checks[i];
+        if (earned.score == 0) continue;
+        const std::vector<std::size_t> others = others_of(exercise, check);
+        double best = others.empty() ? 1 : 0;
+        for (const std::size_t other : others) {
+            const Check& that = exercise.checks[other];
+            best = std::max(best, share_of(worker, exercise, that, cases.at(that.case_name), before[other]));
+        }
+        const auto most = static_cast<Millipoints>(std::floor(static_cast<double>(check.points) * best));
+        if (earned.score <= most) continue;
+        earned.message +=
+            fmt::format("{}{}: {} of {} points count", earned.message.empty() ? "" : "; ",
+                        check.with.empty() ? "these calls draw too little of the right picture"
+                                           : fmt::format("worth no more than \"{}\", which is not right", check.with),
+                        points_text(most), points_text(check.points));
+        earned.score = most;
+    }
+}
+
+}
