@@ -88,6 +88,14 @@ Verdict verdict_of(const UnitResult& result, const CaseResults& cases)
     return Verdict::wrong;
 }
 
+/// Score and verdict, by what the checks have earned.
+void add_up(const CaseResults& cases, UnitResult& result)
+{
+    result.score = 0;
+    for (const CheckResult& check : result.checks) result.score += check.score;
+    result.verdict = verdict_of(result, cases);
+}
+
 std::string printed_text(const Exercise& exercise, const CaseResults& cases)
 {
     std::string text;
@@ -146,18 +154,16 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
     }
     rerun_borderline(worker, exercise, built, cases, options, result);
     weigh_costs(worker, exercise, built, cases, result);
-    weigh_with_others(worker, exercise, cases, result);
     if (options.other_inputs) expect_the_same_of_other_inputs(worker, exercise, built, cases, options, result);
     // Behind that, which is to weigh all that was earned: what is all right still.
     expect_the_same_beside_others(worker, exercise, built, cases, options, result);
-    for (const CheckResult& check : result.checks) result.score += check.score;
+    add_up(cases, result);
     // How long a hidden case took is up to its run, and may tell its inputs.
     for (const auto& [name, one] : cases) {
         if (one.hidden) continue;
         result.seconds += one.student.wall_seconds;
         result.reference_seconds += one.reference_seconds;
     }
-    result.verdict = verdict_of(result, cases);
     result.settled = built.repeatable && std::ranges::none_of(cases, [&](const auto& entry) {
                          return was_starved(entry.second.student, exercise.limits);
                      });
@@ -186,6 +192,9 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
             add_questions(worker, exercise, built, cases, result, detail);
             if (!options.artefacts.empty()) save_long_questions(worker, exercise, cases, options, result);
         });
+    // Behind all that says why checks fail: for these, what is right is right, whatever it hangs on.
+    weigh_with_others(worker, exercise, cases, result);
+    add_up(cases, result);
     return result;
 }
 

@@ -20,6 +20,10 @@ namespace {
 /// What a picture has in common with the right one, at a glance, that is enough for all points.
 constexpr double enough = 0.5;
 
+/// Calls that draw nothing of the right picture keep half: they are the right ones, and only what they are given is
+/// not.
+constexpr double least_of_calls = 0.5;
+
 /// 1 where a pixel is not the background's, which the first one is.
 std::vector<double> outline(const Tensor& picture)
 {
@@ -87,7 +91,7 @@ void weigh_with_others(Worker& worker, const Exercise& exercise, const CaseResul
         CheckResult& earned = result.checks[i];
         if (earned.score == 0) continue;
         const std::vector<std::size_t> others = others_of(exercise, check);
-        double best = others.empty() ? 1 : 0;
+        double best = others.empty() ? 1 : check.with.empty() ? least_of_calls : 0;
         for (const std::size_t other : others) {
             const Check& that = exercise.checks[other];
             best = std::max(best, share_of(worker, exercise, that, cases.at(that.case_name), before[other]));

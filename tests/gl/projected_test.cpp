@@ -4,7 +4,7 @@
 #include <kit/color.hpp>
 
 #include "fixture.hpp"
-#include "texturing/projected/scenes.hpp"
+#include "texturing/projected/points.hpp"
 
 // The unit texturing/projected: its reference against the statement's formula in double, with a lookup of its own.
 namespace umbral::texturing {
@@ -68,7 +68,8 @@ using Projected = gl::GlTest;
 TEST_F(Projected, reference_is_the_formula_at_the_edges)
 {
     Random random(6101);
-    expect_formula(edges(), random_texture(random, 4, 3));
+    const Grid<glm::vec4> slide = random_texture(random, 4, 3);
+    expect_formula(edges(random), slide);
 }
 
 TEST_F(Projected, reference_is_the_formula_at_random_points)

@@ -22,7 +22,7 @@ TEST(Idle, program_earns_what_checks_hang_on_no_other)
     for (Check& check : unit.checks) check.with.clear();
     const IdleUnit alone = try_idle(worker, finder, unit, 0);
     EXPECT_FALSE(alone.holds());
-    EXPECT_EQ(alone.earning.front(), "state/state 1.00 of 1.00");
+    EXPECT_EQ(alone.earning.back(), "state/state 1.00 of 1.00");
 }
 
 }
