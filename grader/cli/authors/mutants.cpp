@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "cli/authors/unit_pages.hpp"
 #include "cli/checkout.hpp"
 #include "cli/paths.hpp"
 #include "mutants/mutants_table.hpp"
@@ -32,7 +33,8 @@ void validate_mutants(Application& application, const MutantsOptions& options)
     });
     if (options.json)
         fmt::print("{}\n", mutants_json(units).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-    if (!options.markdown.empty()) write_output(options.markdown, mutants_markdown(options.family, units));
+    if (!options.markdown.empty())
+        write_unit_page(application, options.markdown, mutants_markdown(options.family, units));
     const auto holding = std::ranges::count_if(units, &UnitMutants::holds);
     if (!options.json)
         fmt::print("{} units, {} of them with mutants that survive, or entries out of date\n", units.size(),

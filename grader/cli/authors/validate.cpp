@@ -13,6 +13,7 @@
 #include "cli/authors/commands.hpp"
 #include "cli/authors/idle.hpp"
 #include "cli/authors/mutants.hpp"
+#include "cli/authors/unit_pages.hpp"
 #include "cli/checkout.hpp"
 #include "cli/paths.hpp"
 #include "report/paint.hpp"
@@ -102,7 +103,7 @@ void validate(Application& application, const ValidateOptions& options)
                    failing);
     if (!options.table.empty()) {
         const std::string table = validation_table(findings, exercises);
-        write_output(options.table, table);
+        write_unit_page(application, options.table, table);
     }
     const bool all_read = !options.units.empty() || application.broken.empty();
     if (failing != 0 || findings.empty() || !all_read) application.exit_status = exit_not_right;
@@ -120,14 +121,20 @@ void add_validate(Command command, Application& application)
     command.flag("--without-mistakes", options->without_mistakes,
                  "Not the known mistakes: only that right work gets everything, controls and stub nothing");
     command.flag("--json", options->json, "As JSON");
-    command.option("--table", options->table, "Write what each mistake got, and what it is told, as Markdown")
+    command
+        .option("--table", options->table,
+                "Write what each mistake got, and what it is told, as Markdown; of other units stays "
+                "what the file says")
         .called("FILE");
     command.flag("--mutants", options->mutants, "Instead: small changes of each reference must lose points");
     command.flag("--slips", options->slips,
                  "Instead: what students write by a slip in each reference (another component, variable or order, a "
                  "tolerance, a kept answer) must lose points");
     command.flag("--idle", options->idle, "Instead: a program whose functions do nothing must earn nothing");
-    command.option("--markdown", options->markdown, "With --mutants or --slips: write what came of them as Markdown")
+    command
+        .option("--markdown", options->markdown,
+                "With --mutants or --slips: write what came of them as Markdown; of other units stays what the file "
+                "says")
         .called("FILE");
     command.runs([&application, options] {
         if (options->mutants && options->slips) throw UsageError("--mutants and --slips: one after the other");
