@@ -72,9 +72,12 @@ void record_sphere(Variation& vary, Recorder& out)
 void record_grid(Variation& vary, Recorder& out)
 {
     for (const auto& [written_columns, written_rows] :
-         {std::pair{1U, 1U}, {8U, 4U}, {4U, 8U}, {1U, 7U}, {128U, 128U}, {1000U, 10U}}) {
-        const std::uint64_t columns = any_instead<std::uint64_t>(vary, written_columns, 1, 1500);
-        const std::uint64_t rows = any_instead<std::uint64_t>(vary, written_rows, 1, 1500);
+         {std::pair{1U, 1U}, {8U, 4U}, {4U, 8U}, {1U, 7U}, {9U, 1U}, {128U, 128U}, {1000U, 10U}}) {
+        // A single column stays one, and so does a single row.
+        const bool low = written_rows == 1 && written_columns > 1;
+        const std::uint64_t columns =
+            written_columns == 1 ? 1 : any_instead<std::uint64_t>(vary, written_columns, 2, 1500);
+        const std::uint64_t rows = low ? 1 : any_instead<std::uint64_t>(vary, written_rows, 1, 1500);
         record_counts(out, columns, rows);
         record_bytes(out, columns, rows, usual_bytes(vary));
         record_work(out, columns, rows);
@@ -94,27 +97,37 @@ void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
         const EntryBytes bytes = entries_of_any_size(random);
-        const std::uint64_t columns = 1 + random.below(5000);
-        const std::uint64_t rows = 1 + random.below(5000);
+        const std::uint64_t columns = i % 8 == 0 ? 1 : 1 + random.below(5000);
+        const std::uint64_t rows = i % 8 == 1 ? 1 : 1 + random.below(5000);
         record(out, "sphere", ask<voxel_bytes>(out, columns));
         record(out, "sphere", ask<sphere_mesh_bytes>(out, rows + 1, bytes));
-        record(out, "sphere", ask<crossover_resolution>(out, bytes));
+        record(out, "crossover", ask<crossover_resolution>(out, bytes));
         record_counts(out, columns, rows);
         record_bytes(out, columns, rows, bytes);
     }
+}
+
+// As many cells as results of 63 bits allow; the shorter side has any number of bits.
+std::pair<std::uint64_t, std::uint64_t> large_grid(Random& random, const EntryBytes& bytes)
+{
+    const std::uint64_t most = (std::uint64_t{1} << 63U) / (6 * bytes.vertex + 6 * bytes.index + bytes.pointer);
+    const std::uint64_t cells = most - random.below(1000) * (most / 2000);
+    const std::uint64_t power = std::uint64_t{1} << random.below(26);
+    const std::uint64_t shorter = power + random.below(static_cast<std::uint32_t>(power));
+    const std::uint64_t longer = cells / shorter;
+    return random.below(2) == 0 ? std::pair(shorter, longer) : std::pair(longer, shorter);
 }
 
 // Results of up to 63 bits, where doubles lie up to 1024 apart; and the finest voxels that there may be.
 void record_large(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
-        const EntryBytes bytes = random_entries(random);
+        const EntryBytes bytes = i % 4 < 2 ? random_entries(random) : entries_of_any_size(random);
         constexpr std::uint64_t most = 2'097'152;
         const std::uint64_t k = i % 2 == 0 ? most : 1'000'000 + random.below(most - 1'000'000);
         record(out, "sizes", ask<voxel_bytes>(out, k));
         record(out, "sizes", ask<sphere_mesh_bytes>(out, k, bytes));
-        const std::uint64_t columns = 50'000'000 + random.below(50'000'000);
-        const std::uint64_t rows = 50'000'000 + random.below(50'000'000);
+        const auto [columns, rows] = large_grid(random, bytes);
         const GridCounts counts = ask<grid_counts>(out, columns, rows);
         for (const std::uint64_t count : {counts.vertices, counts.edges, counts.triangles}) record(out, "sizes", count);
         const GridWork work = ask<grid_work>(out, columns, rows);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "stage.hpp"
 
 /// What the cases show.
@@ -53,6 +55,17 @@ inline Scene in_units(Scene scene, float unit)
     scene.light *= unit;
     scene.mirror.w *= unit;
     for (Thing& thing : scene.things) thing.model = glm::scale(glm::mat4(1), glm::vec3(unit)) * thing.model;
+    return scene;
+}
+
+/// The same scene turned about the origin: the mirror faces another way, and it is seen from another side.
+inline Scene turned(Scene scene, const glm::mat3& turn)
+{
+    scene.eye = turn * scene.eye;
+    scene.target = turn * scene.target;
+    scene.light = turn * scene.light;
+    scene.mirror = glm::vec4(turn * glm::vec3(scene.mirror), scene.mirror.w);
+    for (Thing& thing : scene.things) thing.model = glm::mat4(turn) * thing.model;
     return scene;
 }
 
@@ -131,15 +144,23 @@ inline Scene stretched()
     return scene;
 }
 
-/// A mirror somewhere, and things about it: in front of it, cut by it, and mirrored themselves. The unit of length and
-/// the normal's own length may be of any size.
-inline Scene random_scene(Random& random, Look look)
+/// Signs for the normals of two mirrors: what one does not have, the other has.
+inline std::pair<glm::vec3, glm::vec3> opposite_signs(Random& random)
+{
+    glm::vec3 signs(1);
+    for (int axis = 0; axis < 3; ++axis) signs[axis] = random.below(2) == 0 ? 1.0F : -1.0F;
+    return {signs, -signs};
+}
+
+/// A mirror whose normal has these signs, and things about it: in front of it, cut by it, and mirrored themselves. The
+/// unit of length and the normal's own length may be of any size.
+inline Scene random_scene(Random& random, Look look, const glm::vec3& signs)
 {
     Scene scene;
     scene.look = look;
-    const float aside = random.uniform(-0.6F, 0.6F);
-    const float up = random.uniform(0.4F, 1) * (random.below(2) == 0 ? 1.0F : -1.0F);
-    const glm::vec3 normal = glm::normalize(glm::vec3(aside, up, random.uniform(0.3F, 1)));
+    const float aside = random.uniform(0.05F, 0.6F);
+    const float up = random.uniform(0.4F, 1);
+    const glm::vec3 normal = glm::normalize(signs * glm::vec3(aside, up, random.uniform(0.3F, 1)));
     scene.mirror = std::pow(10.0F, random.uniform(-4, 4)) * glm::vec4(normal, random.uniform(0.3F, 0.8F));
     scene.eye = {random.uniform(-1.5F, 1.5F), random.uniform(1, 2), 6};
     scene.target = {0, -0.3F, 0};

@@ -133,7 +133,11 @@ const Driver driver = {
          for (const int count : {1, 40, 200, 1000})
              record_answer(out, varied(c.vary, with_many_errors(c.vary.near(count, count / 10))));
      }},
-    {"uniforms", [](Case& c, Recorder& out) { record_uniforms(c.random, out); }},
+    {"uniforms",
+     [](Case& c, Recorder& out) {
+         record_uniforms(c.random, out);
+         record_first_uniforms(c.random, out);
+     }},
     {"leaks", leaks},
     {"calls", record_life},
     {"random", random},

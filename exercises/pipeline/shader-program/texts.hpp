@@ -72,6 +72,22 @@ void main()
 )"};
 }
 
+constexpr int uniform_types = 6;
+
+/// The same uniforms again, of which the one of type `first`, 0 to 5, is declared first: OpenGL may number from there.
+inline ShaderTexts uniforms_beginning_with(int first)
+{
+    const std::array<std::string, uniform_types> declared{"int whole",       std::string("float ") + long_name,
+                                                          "vec3 vectors[3]", "struct { vec4 vector4; } lamp",
+                                                          "mat3 matrix3",    "mat4 matrix4"};
+    std::string vertex = "#version 330\nin vec3 position;\n";
+    for (int i = 0; i < uniform_types; ++i)
+        vertex += "uniform " + declared[static_cast<std::size_t>((first + i) % uniform_types)] + ";\n";
+    vertex += std::string("void main()\n{\n    vec3 sum = vectors[0] + vectors[1] + vectors[2] + float(whole);\n") +
+              "    gl_Position = matrix4 * vec4(matrix3 * position + sum, " + long_name + ") + lamp.vector4;\n}\n";
+    return {vertex, "#version 330\nout vec4 pixel;\nvoid main() { pixel = vec4(1.0); }\n"};
+}
+
 /// Pairs that are right, but not plain: OpenGL warns of some, others cannot be drawn with before their samplers are
 /// set, or have comments before their version, a long one too: 16 bits do not count its letters.
 inline std::vector<ShaderTexts> right_texts()

@@ -98,9 +98,10 @@ struct Round {
     std::string chosen;  ///< which program is set
 };
 
-/// Sets a program's uniforms, the whole number to `whole`, each by its own name or by one that the program has not;
-/// what set() returns.
-inline std::vector<float> set_all(Recorder& out, ShaderProgram& program, Random& random, Round& round, int whole)
+/// Sets a program's uniforms, the whole number to `whole`, each by its own name or, of so many one, by a name that the
+/// program has not; what set() returns.
+inline std::vector<float> set_all(Recorder& out, ShaderProgram& program, Random& random, Round& round, int whole,
+                                  std::uint32_t one_absent_of = 3)
 {
     glm::mat4 matrix(0);
     for (int i = 0; i < 4; ++i) matrix[i] = glm::vec4(random.in_cube(), random.uniform());
@@ -108,7 +109,7 @@ inline std::vector<float> set_all(Recorder& out, ShaderProgram& program, Random&
     const float number = random.uniform(1, 2);
     std::vector<float> returned;
     const auto set = [&](const char* name, const auto& value) {
-        const bool absent = random.below(3) == 0;
+        const bool absent = one_absent_of > 0 && random.below(one_absent_of) == 0;
         const std::string called = absent ? std::string("other_") + name : name;
         round.lines += round.chosen + "->set(\"" + called + "\", " + value_text(value) + ");\n";
         returned.push_back(set_one(out, program, called, value) ? 1.0F : 0.0F);
@@ -153,6 +154,33 @@ inline void come_and_go(Recorder& out, Random& random, Round& round, int whole)
     round.lines += told.lines + "passing.reset();\n";
     record_round(out, told, returned);
     out.append("values", std::span<const float>(values_of(name)));
+}
+
+/// Programs whose first uniform is of each type in turn: what set() returns, and what they hold. Of the array the first
+/// vector is set too, since only that one can be the program's first.
+inline void record_first_uniforms(Random& random, Recorder& out)
+{
+    out.columns("first",
+                "whole, number, vectors[1], lamp.vector4, matrix3, matrix4, vectors[0], whole, number, vectors[1]/3, "
+                "lamp.vector4/4, matrix3/9, matrix4/16, vectors[0]/3");
+    for (int first = 0; first < uniform_types; ++first) {
+        const Program program = ask_new<make_shader_program>(out, "program", uniforms_beginning_with(first));
+        if (!program) return;
+        ask<&ShaderProgram::use>(out, *program);
+        Round told{"program->use();\n", "program"};
+        std::vector<float> row = set_all(out, *program, random, told, 1 + static_cast<int>(random.below(1000)), 0);
+        const glm::vec3 vector = random.in_cube();
+        told.lines += "program->set(\"vectors[0]\", " + value_text(vector) + ");\n";
+        row.push_back(set_one(out, *program, "vectors[0]", vector) ? 1.0F : 0.0F);
+        const std::vector<float> values = values_of(in_use());
+        row.insert(row.end(), values.begin(), values.end());
+        append_values<3>(row, in_use(), "vectors[0]");
+        ask_in_words(out, [&] {
+            return "// what it declares first is what line " + std::to_string(first + 2) + " sets\n" + told.lines;
+        });
+        out.append("first", std::span<const float>(row));
+        glUseProgram(0);
+    }
 }
 
 /// Three programs, two of them of the same texts; one is set while another, or none, is in use. OpenGL may have been

@@ -97,14 +97,18 @@ struct PenumbraQuestion {
 };
 
 /// A lamp over a table, with a screen that covers half of the view, a ball that flies by, and points all over: fully
-/// lit, in the penumbra, in the dark, tilted, near, far, behind the lamp. All is stretched along the axes: what is
-/// hidden stays hidden.
+/// lit, in the penumbra, in the dark, tilted, near, far, behind the lamp. A scrap of paper lies on a surface between
+/// table and lamp, so close to it that what it hides depends on which end of the segment is the surface. All is
+/// stretched along the axes: what is hidden stays hidden.
 inline StillLife penumbra_scene(const glm::vec3& stretch = glm::vec3(1))
 {
     StillLife life;
     life.add(SolidQuad{stretch * glm::vec3(-2, 0.5F, -2), stretch * glm::vec3(2, 0, 0), stretch * glm::vec3(0, 0, 4)},
              Paint{glm::vec3(0.5F)});
     life.add(SolidBall{stretch * glm::vec3(1.5F, 0.6F, -2), 0.35F, stretch * glm::vec3(0, 0, 2)},
+             Paint{glm::vec3(0.5F)});
+    life.add(SolidQuad{stretch * glm::vec3(0.248F, 1.0004F, -0.001F), stretch * glm::vec3(0, 0, 0.002F),
+                       stretch * glm::vec3(0.00184F, 0, 0)},
              Paint{glm::vec3(0.5F)});
     life.add_lamp({stretch * glm::vec3(-0.5F, 2, -0.75F),
                    stretch * glm::vec3(1, 0, 0),
@@ -152,7 +156,9 @@ inline std::vector<PenumbraQuestion> penumbra_questions(const glm::vec3& stretch
             {"The light before the ball has come", at({1.9F, 0, 0.1F}, up), over, 0},
             {"The light while the ball is there", at({1.9F, 0, 0.1F}, up), over, 1},
             {"The light on a surface whose horizon cuts the lamp", at({0.2F, 0.75F, 0.2F}, {1, 0, 0}), over, 0},
-            {"The light of a slanted lamp", at({3.5F, 0, 3}, up), slanted, 0.5F}};
+            {"The light of a slanted lamp", at({3.5F, 0, 3}, up), slanted, 0.5F},
+            {"The light at the edge of a scrap of paper", at({0.25F, 1, 0}, up), over, 0},
+            {"The light at another edge of it", at({0.249F, 1, 0.00112F}, up), over, 0}};
 }
 
 /// A question about one pixel.
@@ -199,10 +205,10 @@ inline StillLife half_plane(float depth, bool above)
     return life;
 }
 
-/// A shining ball that flies to the right.
-inline StillLife flying_ball(const glm::vec3& centre, float radius, const glm::vec3& velocity)
+/// A shining ball that flies to the right, before this sky.
+inline StillLife flying_ball(const glm::vec3& centre, float radius, const glm::vec3& velocity, float sky = 0.05F)
 {
-    StillLife life({glm::vec3(0.05F), glm::vec3(0.05F), glm::vec3(0)});
+    StillLife life({glm::vec3(sky), glm::vec3(sky), glm::vec3(0)});
     life.add(SolidBall{centre, radius, velocity}, Paint{glm::vec3(0), {2, 1, 0.5F}});
     return life;
 }
@@ -212,6 +218,7 @@ inline std::vector<PixelQuestion> mean_pixels()
 {
     const auto camera = [](const Optics& optics) { return camera_towards({0, 0, 0}, {0, 0, -1}, 0.5F, optics); };
     const PictureSize size{8, 8};
+    const PictureSize fine{800, 800};  // a pixel is a point of it, nearly
     // The edge of a half-plane crosses a pixel of which the camera is turned aside.
     LensCamera turned = camera({});
     turned.eye = {0.30F, 0.22F, 0};
@@ -262,8 +269,21 @@ inline std::vector<PixelQuestion> mean_pixels()
          flying_ball({0.1F, -1.0F, -5}, 0.6F, {0, 1.5F, -1}),
          camera(both),
          size,
-         {4, 4}},
-        {"a ball that the lens does not see", beyond, camera(both), PictureSize{800, 800}, {400, 400}},
+         {4, 4},
+         32},
+        {"a ball that the lens does not see", beyond, camera(both), fine, {400, 400}},
+        {"a ball that the right of the lens sees from below",
+         flying_ball({-0.25F, 0.25F, -6}, 0.3F, glm::vec3(0), 1),
+         camera(both),
+         fine,
+         {400, 400},
+         32},
+        {"a ball that the left of the lens sees from below",
+         flying_ball({0.25F, 0.25F, -6}, 0.3F, glm::vec3(0), 1),
+         camera(both),
+         fine,
+         {400, 400},
+         32},
         {"a table under a ring of twenty lamps", ring, camera({}), size, {4, 6}, 4},
         {"a table under two lamps and a ball", lit, camera({0.1F, 3, 0, 1}), size, {4, 6}},
         {"the shadow of a ball that flies by", lit, camera({0, 3, -0.5F, 0.5F}), size, {4, 7}}};

@@ -16,18 +16,18 @@ using namespace transforms;
 void record_names(Recorder& out)
 {
     out.text("drawn.names",
-             "1 an object: its number, x axis, y axis, z axis, origin\n"
-             "2 afterwards: depth of the stack, x axis, y axis, z axis, origin\n"
-             "3 an exception went on: its number, -/12\n");
+             "1 an object: its number, x axis/4, y axis/4, z axis/4, origin/4\n"
+             "2 afterwards: depth of the stack, x axis/4, y axis/4, z axis/4, origin/4\n"
+             "3 an exception went on: its number, -/16\n");
 }
 
-/// Code 1, or 2 afterwards; a number; and the upper three rows of a matrix, column by column.
+/// Code 1, or 2 afterwards; a number; and a matrix, column by column.
 void append_matrix(Recorder& out, float code, float number, const glm::dmat4& m)
 {
-    std::array<float, 14> row{code, number};
+    std::array<float, 18> row{code, number};
     for (int column = 0; column < 4; ++column)
-        for (int k = 0; k < 3; ++k)
-            row[static_cast<std::size_t>(2 + 3 * column + k)] = static_cast<float>(m[column][k]);
+        for (int k = 0; k < 4; ++k)
+            row[static_cast<std::size_t>(2 + 4 * column + k)] = static_cast<float>(m[column][k]);
     out.append("drawn", std::span<const float>(row));
 }
 
@@ -64,7 +64,7 @@ void add(Recorder& out, GraphNode& node, const std::shared_ptr<const Drawable>& 
 }
 
 // Order, scope, sharing, an empty node, a transformation that nothing follows; a node that grows after it was shared;
-// and forty nodes deep.
+// matrices that are not affine; and forty nodes deep.
 void record_node(Variation& vary, Recorder& out)
 {
     record_names(out);
@@ -94,6 +94,13 @@ void record_node(Variation& vary, Recorder& out)
     add(out, *inner, move(0, 0));
     draw(out, *outer);
     draw(out, *empty);
+    const std::shared_ptr<GraphNode> seen = ask_new<make_graph_node>(out, "seen");
+    if (!seen) return;
+    for (const int number : {6, 7}) {
+        add(out, *seen, projective(q(1), q(2), q(static_cast<float>(number))));
+        add(out, *seen, numbered(number));
+    }
+    draw(out, *seen, {.modelview = projective(q(3), q(2), q(1)), .depth = 2});
     std::shared_ptr<const Drawable> deep = numbered(5);
     for (int level = 1; level <= 40; ++level) {
         const std::shared_ptr<GraphNode> around = ask_new<make_graph_node>(out, "around");
@@ -152,9 +159,11 @@ void record_pointers(Recorder& out, Random& random)
         glm::mat4* const pointer = ask<&GraphNode::matrix_at>(out, *node, index);
         out.append("matrix", pointer == nullptr ? glm::mat4(0) : *pointer);
         const float by = random.uniform(-3, 3);
-        if (pointer != nullptr) *pointer = move(by, 0, 1);
+        const float bent = random.uniform(-3, 3);
+        if (pointer != nullptr) *pointer = projective(by, bent, 1);
         const glm::mat4* const again = ask<&GraphNode::matrix_at>(out, *node, index);
         out.append("matrix", again == nullptr ? glm::mat4(0) : *again);
+        if (pointer != nullptr) *pointer = move(by, 0, 1);
     }
     draw(out, *node);
 }

@@ -12,6 +12,15 @@ namespace umbral::transforms {
 /// Matrices of one step.
 inline glm::mat4 move(float x, float y, float z = 0) { return glm::translate(glm::mat4(1), {x, y, z}); }
 inline glm::mat4 scale(float x, float y, float z = 1) { return glm::scale(glm::mat4(1), {x, y, z}); }
+/// Not affine: what it makes of a place has x, y and z in its w too. Determinant 1.
+inline glm::mat4 projective(float x, float y, float z)
+{
+    glm::mat4 matrix = move(x, y, z);
+    matrix[0][3] = y;
+    matrix[2][3] = -x;
+    matrix[3][3] = 1 + x * y - x * z;
+    return matrix;
+}
 inline glm::mat4 turn(float angle, const glm::vec3& axis) { return glm::rotate(glm::mat4(1), angle, axis); }
 
 /// A drawable of one function.
