@@ -78,24 +78,45 @@ void by_hand(Variation& vary, Recorder& out)
     for (const Probe& probe : probes_by_hand(vary)) out.append("light", light_of(out, frame, probe));
 }
 
-// Whatever OpenGL was told before; up to eleven lights.
+// What is new at this vertex: all of it, all but the material, or the material and the modelview matrix alone.
+Probe next_probe(Random& random, const Probe& before, int i)
+{
+    Probe next = random_probe(random);
+    if (i % 3 == 1) next.material = before.material;
+    if (i % 3 != 2) return next;
+    Probe same = before;
+    same.material = next.material;
+    same.modelview = next.modelview;
+    return same;
+}
+
+// Whatever OpenGL was told before; up to eleven lights. Of three frames one is lit as the one before, and of three
+// materials one is that of before: in the meantime somebody else has set others.
 void at_random(Random& random, Recorder& out)
 {
     name_columns(out);
     const LinearFrame frame(1, 1);
-    for (int i = 0; i < 24; ++i) {
+    FrameLighting lighting;
+    glm::mat4 view(1);
+    Material material;
+    for (int i = 0; i < 36; ++i) {
         disturb(random);
-        const glm::mat4 view = random_view(random);
-        const std::uint32_t count = i % 4 == 0 ? 9 + random.below(3) : random.below(9);
-        std::vector<PlacedLight> lights = random_lights(random, {}, view, count);
-        for (PlacedLight& placed : lights)
-            if (random.below(6) == 0) placed.light.color = glm::vec3(0);
-        record_lights(out, {lights, random_color(random), true, false}, view);
-        record_material(out, random_material(random));
+        if (i % 3 != 2) {
+            view = random_view(random);
+            lighting.lights = lights_of_all_kinds(random, view, i % 4 == 0 ? 9 + random.below(3) : random.below(9));
+        }
+        record_lights(out, lighting, view);
+        if (i % 3 != 1) material = random_extreme_material(random);
+        record_material(out, material);
     }
+    Probe probe = random_probe(random);
     for (int i = 0; i < 80; ++i) {
         disturb(random);
-        out.append("light", light_of(out, frame, random_probe(random)));
+        // What the unit need not set, and Mesa would compile programs of its own for.
+        glDisable(GL_RESCALE_NORMAL);
+        glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SINGLE_COLOR);
+        probe = next_probe(random, probe, i);
+        out.append("light", light_of(out, frame, probe));
     }
 }
 
@@ -170,11 +191,19 @@ void record_state(Random& random, Recorder& out)
 {
     const LinearFrame frame(16, 16);
     out.columns("state", std::string(neutral_columns) + ", light in the middle/3");
-    for (int i = 0; i < 8; ++i) {
-        LitScene scene = random_scene(random, coin(random));
+    LitScene scene;
+    for (int i = 0; i < 12; ++i) {
+        LitScene next = random_scene(random, coin(random));
+        if (i % 4 == 1) next.meshes[0] = behind_others(next.meshes[0]);
         // A ball in the middle, before all others; every second one is mirrored.
         const glm::vec3 size = glm::vec3(i % 2 == 0 ? 1 : -1, 1, 1) * 0.9F / unit_of_balls;
-        scene.things.push_back({0, inverse(scene.view) * placed({0, 0, -2}, size), random_material(random)});
+        next.things.push_back({0, inverse(next.view) * placed({0, 0, -2}, size), random_material(random)});
+        if (i == 9) next = {};
+        // Of three scenes one is what was drawn last, alone and in the same light; one is empty.
+        if (i % 3 == 2)
+            scene.things = {scene.things.back()};
+        else
+            scene = std::move(next);
         disturb(random);
         frame.clear();
         switch_on(GL_DEPTH_TEST, coin(random));
@@ -191,6 +220,9 @@ void record_calls(Variation& vary, Recorder& out)
     const LinearFrame frame(16, 16);
     LitScene scene = varied(vary, facets());
     for (int i = 0; i < 3; ++i) scene.things.push_back(scene.things.front());
+    // A mesh that nobody may cut into pieces; who draws vertex by vertex needs fewer calls than a trace holds.
+    scene.meshes.push_back(tables_of(sphere(80, 40)));
+    scene.things.push_back({scene.meshes.size() - 1, glm::mat4(1), scene.things.front().material});
     gl::begin_trace();
     ask<draw_lit>(out, scene);
     gl::record_trace(out, "calls", gl::end_trace());
@@ -209,8 +241,10 @@ const Driver driver = {
     {"scene",
      [](Case& c, Recorder& out) {
          disturb(c.random);
-         record_picture(out, "smooth", random_scene(c.random, false));
-         record_picture(out, "flat", random_scene(c.random, true));
+         record_picture(out, "smooth", crowded(c.random, random_scene(c.random, false)));
+         LitScene flat = crowded(c.random, random_scene(c.random, true));
+         flat.meshes[0] = behind_others(flat.meshes[0]);
+         record_picture(out, "flat", flat);
      }},
     {"wreath", [](Case& c, Recorder& out) { record_picture(out, "picture", varied(c.vary, wreath()), 288); }},
 };

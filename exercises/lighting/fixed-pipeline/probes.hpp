@@ -35,8 +35,9 @@ inline void draw_pixel(const Probe& probe)
     glLoadMatrixf(glm::value_ptr(probe.modelview));
     const glm::vec3 position(inverse(probe.modelview) * glm::vec4(probe.position, 1));
     const glm::vec3 normal = transpose(glm::mat3(probe.modelview)) * probe.normal;
-    glNormal3fv(glm::value_ptr(normal));
+    // A normal between glBegin and glEnd, as in draw_back: Mesa compiles another program for one that stands before.
     glBegin(GL_POINTS);
+    glNormal3fv(glm::value_ptr(normal));
     glVertex3fv(glm::value_ptr(position));
     glEnd();
 }
@@ -94,18 +95,47 @@ inline std::vector<PlacedLight> random_lights(Random& random, const SurfacePoint
     return lights;
 }
 
+/// Places and directions in any order, of which some are bright and some are out: for what is read and not drawn.
+inline std::vector<PlacedLight> lights_of_all_kinds(Random& random, const glm::mat4& view, std::uint32_t count)
+{
+    std::vector<PlacedLight> lights = random_lights(random, {}, view, count);
+    for (auto& [light, frame] : lights) {
+        light.position.w = coin(random) ? 1 : 0;
+        light.color *= std::array{0.0F, 1.0F, 1.0F, 4.0F}[random.below(4)];
+    }
+    return lights;
+}
+
+/// Anything that a material may be: of two one reflects nothing of one kind or sends out nothing, of four one sends out
+/// more than 1, and exponents may be 0, and more than OpenGL knows.
+inline Material random_extreme_material(Random& random)
+{
+    Material material = random_material(random);
+    glm::vec3* const parts[] = {&material.emission, &material.ambient, &material.diffuse, &material.specular};
+    if (coin(random)) *parts[random.below(4)] = glm::vec3(0);
+    if (random.below(4) == 0) material.emission *= 8;
+    const float exponents[] = {0, random.uniform(0, 2), random.uniform(2, 128), std::exp2(random.uniform(7, 13))};
+    material.shininess = exponents[random.below(4)];
+    return material;
+}
+
+/// Mesa compiles a program for each number of lights, with either viewer, and for the exponent 0: few of these here,
+/// and one alone for 8 lights, which takes the most time.
 inline Probe random_probe(Random& random)
 {
     Probe probe;
     probe.position = 2.0F * random.in_cube() + glm::vec3(0, 0, -5);
     probe.normal = normalize(0.8F * random.unit_vector() - normalize(probe.position));
-    probe.material = random_material(random);
+    probe.material = random_extreme_material(random);
+    probe.material.shininess = std::max(probe.material.shininess, 0.5F);
     probe.view = random_view(random);
     const glm::vec3 size(random.uniform(0.4F, 2.5F), random.uniform(0.4F, 2.5F), random.uniform(0.4F, 2.5F));
     probe.modelview = glm::scale(random_view(random), size);
-    const std::uint32_t count = coin(random) ? 2 : 8;
+    const std::uint32_t count = std::array{0U, 2U, 2U, 8U}[random.below(4)];
     probe.lighting = {random_lights(random, {probe.position, probe.normal}, probe.view, count), random_color(random),
-                      coin(random), false};
+                      count != 2 || coin(random), false};
+    for (PlacedLight& placed : probe.lighting.lights)
+        if (random.below(4) == 0) placed.light.color *= 4;
     probe.seen_from_behind = random.below(3) == 0;
     if (probe.seen_from_behind) probe.normal = -probe.normal;
     return probe;

@@ -144,7 +144,23 @@ inline LitScene varied(Variation& vary, LitScene scene)
 }
 
 /// How much larger than 1 the ball is that random scenes place.
-inline constexpr float unit_of_balls = 64;
+inline constexpr float unit_of_balls = 4096;
+
+/// The mesh behind more vertices than 16 bits count: they are the mesh's own again, but with other normals, and no
+/// triangle has them.
+inline LitMesh behind_others(const LitMesh& mesh)
+{
+    constexpr std::size_t before = 65'536;
+    LitMesh result;
+    for (std::size_t i = 0; i < before; ++i) {
+        result.positions.push_back(mesh.positions[i % mesh.positions.size()]);
+        result.normals.push_back(-mesh.normals[7 * i % mesh.normals.size()]);
+    }
+    result.positions.insert(result.positions.end(), mesh.positions.begin(), mesh.positions.end());
+    result.normals.insert(result.normals.end(), mesh.normals.begin(), mesh.normals.end());
+    for (const std::uint32_t index : mesh.indices) result.indices.push_back(index + before);
+    return result;
+}
 
 /// Anything anywhere; empty tables, too.
 inline LitScene random_scene(Random& random, bool flat)
@@ -166,6 +182,24 @@ inline LitScene random_scene(Random& random, bool flat)
         material.ambient *= 0.3F;
         const glm::vec3 place = 1.1F * random.in_cube();
         scene.things.push_back({i % 4, placed(place, size, random.uniform(0, turn), random.unit_vector()), material});
+    }
+    return scene;
+}
+
+/// The scene before a wall of balls, each of another material, turned another way, and every second one mirrored.
+inline LitScene crowded(Random& random, LitScene scene)
+{
+    scene.meshes.push_back(tables_of(icosphere(1)));
+    for (glm::vec3& position : scene.meshes.back().positions) position *= unit_of_balls;
+    constexpr int columns = 17;
+    for (int i = 0; i < columns * columns; ++i) {
+        const glm::vec3 place(0.32F * static_cast<float>(i % columns - columns / 2),
+                              0.32F * static_cast<float>(i / columns - columns / 2), -7.5F);
+        const glm::vec3 size = glm::vec3(i % 2 == 0 ? 1 : -1, 1, 1) * 0.15F / unit_of_balls;
+        const glm::mat4 model = placed(place, size, random.uniform(0, turn), random.unit_vector());
+        Material material = random_material(random);
+        material.emission *= 0.3F;
+        scene.things.insert(scene.things.begin(), {scene.meshes.size() - 1, inverse(scene.view) * model, material});
     }
     return scene;
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/gtc/type_ptr.hpp>
+#include <tuple>
 #include <umbral/gl/opengl.hpp>
 #include <utility>
 #include <vector>
@@ -54,13 +55,17 @@ inline void disturb_materials(Random& random)
 /// Leaves matrix mode, matrices and depths of the stacks as nobody can have expected them.
 inline void disturb_matrices(Random& random)
 {
-    for (const auto& [mode, depth_name] : {std::pair<GLenum, GLenum>{GL_MODELVIEW, GL_MODELVIEW_STACK_DEPTH},
-                                           {GL_PROJECTION, GL_PROJECTION_STACK_DEPTH}}) {
+    for (const auto& [mode, depth_name, most_name] :
+         {std::tuple<GLenum, GLenum, GLenum>{GL_MODELVIEW, GL_MODELVIEW_STACK_DEPTH, GL_MAX_MODELVIEW_STACK_DEPTH},
+          {GL_PROJECTION, GL_PROJECTION_STACK_DEPTH, GL_MAX_PROJECTION_STACK_DEPTH}}) {
         glMatrixMode(mode);
         GLint depth = 1;
         for (glGetIntegerv(depth_name, &depth); depth > 1; --depth) glPopMatrix();
-        const std::uint32_t pushes = random.below(3);
-        for (std::uint32_t i = 0; i <= pushes; ++i) {
+        // Of two stacks one has place for two more, and no others.
+        GLint most = 0;
+        glGetIntegerv(most_name, &most);
+        const GLint pushes = coin(random) ? most - 3 : static_cast<GLint>(random.below(3));
+        for (GLint i = 0; i <= pushes; ++i) {
             glm::mat4 matrix(1);
             for (int column = 0; column < 4; ++column)
                 for (int row = 0; row < 3; ++row) matrix[column][row] += random.uniform(-2, 2);

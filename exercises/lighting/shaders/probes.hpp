@@ -5,6 +5,34 @@
 /// Single points at which the model is evaluated.
 namespace umbral::lighting {
 
+/// Of eight points, one is each of these; half of them are left as they are.
+inline void make_special(Random& random, Probe& probe, std::size_t kind)
+{
+    Material& material = probe.material;
+    const glm::vec3 n = probe.normal;
+    const auto one_light = [&](const glm::vec3& direction, const glm::vec3& color) {
+        probe.lights = {{glm::vec4(direction, 0), color}};
+    };
+    // No light at all.
+    if (kind == 0) probe.lights.clear();
+    // One that comes in nearly along the surface, and whose highlight is wide.
+    if (kind == 1) {
+        material.shininess = random.uniform(0.25F, 2);
+        one_light(random.uniform(0.001F, 0.009F) * n + normalize(cross(n, random.unit_vector())), glm::vec3(0.8F));
+    }
+    // Within a sharp highlight.
+    if (kind == 2) {
+        material.shininess = random.uniform(115, 128);
+        const glm::vec3 h = normalize(n + 0.12F * random.unit_vector());
+        one_light(glm::reflect(normalize(probe.position), h), random_color(random, 0.4F, 0.7F));
+    }
+    // More light than 1, on what reflects little.
+    if (kind == 3) {
+        for (glm::vec3* const part : {&material.ambient, &material.diffuse, &material.specular}) *part *= 0.2F;
+        one_light(n + 0.5F * random.unit_vector(), random_color(random, 1.5F, 3));
+    }
+}
+
 /// Single points with everything at random: what the formula gives, without a mesh.
 inline std::vector<Probe> random_points(Random& random)
 {
@@ -17,6 +45,7 @@ inline std::vector<Probe> random_points(Random& random)
                     random_color(random, 0, 0.5F)};
         if (dot(probe.normal, normalize(-probe.position)) < 0.1F) continue;
         probe.lights = random_lights(random, placed(probe.position));
+        make_special(random, probe, probes.size() % 8);
         probe.view = placed(4.0F * random.in_cube(), glm::vec3(1), random.uniform(0, turn), random.unit_vector());
         probe.model =
             placed(4.0F * random.in_cube(), {random.uniform(0.5F, 2), random.uniform(0.5F, 2), random.uniform(0.5F, 2)},
@@ -59,6 +88,8 @@ inline std::vector<Probe> edges(Variation vary = {})
     // are normalised.
     add(away, 8, {{0, 0, -4, 0}});
     add(away, 8, {{0, 0, -8, 1}});
+    for (const glm::vec4& opposite : {glm::vec4(0, 0, -4, 0), {0, 0, -1, 0}, {0, 0, -16, 1}}) add(away, 0, {opposite});
+    add(away, 2, {{0.02F, 0, -1, 0}});
     // Grazing exactly, and from behind where n·h is still positive: neither diffuse nor specular.
     add(ahead, 4, {{1, 0, 0, 0}});
     add(ahead, 4, {{0, 3, -4, 1}});
@@ -66,7 +97,8 @@ inline std::vector<Probe> edges(Variation vary = {})
     // Directions have any length, and light_count may be 0 or 8.
     add(ahead, 4, {{0, 30, 40, 0}});
     add(ahead, 4, {{0.003F, 0, 0.004F, 0}});
-    add(ahead, 4, {});
+    for (const float shininess : {0.0F, 4.0F, 90.0F}) add(ahead, shininess, {});
+    add(ahead, 128, {{0, 0.2F, 1, 0}});
     add(ahead, 128, std::vector(8, glm::vec4(0, 0.2F, 1, 0)));
     return probes;
 }

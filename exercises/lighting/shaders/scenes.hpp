@@ -123,7 +123,9 @@ inline Scene scaled_things()
                     {torus(128, 48, 0.33F), placed({0.62F, 0.08F, 0}, {0.26F, 0.92F, 0.55F}, -0.35F, {0, 0.4F, 1}),
                      plastic({0.25F, 0.48F, 0.66F}, 0.6F, 40)},
                     {sphere(96, 48), placed({-0.45F, -0.62F, 0.4F}, {0.85F, 0.30F, 0.12F}, -0.3F, {1, 1, 0}),
-                     plastic({0.48F, 0.58F, 0.24F}, 0.5F, 20)}};
+                     plastic({0.48F, 0.58F, 0.24F}, 0.5F, 20)},
+                    {icosphere(0), placed({0.62F, -0.62F, 0.9F}, {0.5F, 0.16F, 0.4F}, 0.4F, {0.5F, 0.3F, 1}),
+                     plastic({0.62F, 0.30F, 0.56F}, 0.5F, 20)}};
     return scene;
 }
 
@@ -206,7 +208,9 @@ inline std::vector<Light> random_lights(Random& random, const glm::mat4& view)
     std::vector<Light> lights;
     for (std::uint32_t i = 0; i < count; ++i) {
         const glm::vec3 place = random.uniform(1.6F, 3) * random.unit_vector();
-        const glm::vec4 homogeneous(place, random.below(2) == 0 ? 0 : 1);
+        // Directions of any length.
+        const glm::vec4 homogeneous =
+            random.below(2) == 0 ? glm::vec4(std::exp2(random.uniform(-6, 6)) * place, 0) : glm::vec4(place, 1);
         lights.push_back({view * homogeneous,
                           random_color(random, 0.3F, 1) * (1.3F / std::sqrt(static_cast<float>(count)) * 0.55F)});
     }
@@ -220,8 +224,8 @@ inline glm::mat4 open_towards(const glm::vec3& direction, const glm::vec3& place
     return placed(place, scale, std::acos(dot(up, normalize(direction))), cross(up, direction));
 }
 
-/// Four things of all kinds, stretched where their meshes are fine, under random lights. The last one is a bowl that
-/// shows its inside.
+/// Four things of all kinds, most of them stretched, under random lights: the fourth is a bowl that shows its inside.
+/// They lie over a floor of two triangles, so large that what is seen of it must be computed at each pixel.
 inline Scene random_scene(Random& random, bool flat)
 {
     const float angle = random.uniform(0, turn);
@@ -232,19 +236,23 @@ inline Scene random_scene(Random& random, bool flat)
     scene.global_ambient = random_color(random, 0.1F, 0.5F);
     scene.lights = random_lights(random, scene.view);
     const std::array shapes = {flat ? icosphere(1) : sphere(96, 48), torus(flat ? 16 : 128, flat ? 10 : 48, 0.33F),
-                               flat ? icosphere(0) : icosphere(1), sphere(20, 8, 0)};
+                               icosphere(0), sphere(20, 8, 0)};
     const glm::vec3 eye(inverse(scene.view)[3]);
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         const float corner = angle + turn * (static_cast<float>(i) + random.uniform(0.3F, 0.7F)) / 4;
         const glm::vec3 place(0.85F * std::sin(corner), random.uniform(-0.35F, 0.35F), 0.85F * std::cos(corner));
         glm::vec3 scale(random.uniform(0.54F, 0.66F));
-        if (i < 2)
+        if (i < 3)
             scale *= glm::vec3(random.uniform(0.6F, 1.1F), random.uniform(0.3F, 0.6F), random.uniform(0.8F, 1.2F));
         const glm::mat4 model = i == 3
                                     ? open_towards(normalize(eye - place) + 0.7F * random.unit_vector(), place, scale)
                                     : placed(place, scale, random.uniform(0, turn), random.unit_vector());
         scene.things.push_back({shapes[i], model, random_material(random)});
     }
+    Material floor = random_material(random);
+    floor.shininess = random.uniform(4, 24);
+    scene.things.push_back(
+        {surface(1, 1, [](float u, float v) { return glm::vec3(8 * u - 4, -1, 4 - 8 * v); }), glm::mat4(1), floor});
     return scene;
 }
 

@@ -82,13 +82,14 @@ inline SpongeScene carved()
     return scene;
 }
 
-/// The cube, drilled as often as `depth` says; the ball is inside it, and seen through the holes.
+/// The cube, drilled as often as `depth` says; the ball is inside it, and seen through the holes. From the cube that
+/// has none it cuts a corner.
 inline SpongeScene drilled(int depth)
 {
     SpongeScene scene;
     scene.look = {{-1.9F, 2.4F, 3.2F}, {0, 0, 0}, 0.38F};
     scene.depth = depth;
-    scene.ball = {0.1F, 0, -0.1F, 0.72F};
+    scene.ball = depth == 0 ? glm::vec4(-0.8F, 0.9F, 0.8F, 0.75F) : glm::vec4(0.1F, 0, -0.1F, 0.72F);
     scene.sun = {-0.5F, 0.9F, 0.3F};
     return scene;
 }
@@ -132,12 +133,7 @@ inline SpongeScene varied(Variation& vary, SpongeScene scene)
     return scene;
 }
 
-inline glm::vec3 random_color(Random& random, float most)
-{
-    const float red = random.uniform(0, most);
-    const float green = random.uniform(0, most);
-    return {red, green, random.uniform(0, most)};
-}
+inline glm::vec3 random_color(Random& random, float most) { return 0.5F * most * (glm::vec3(1) + random.in_cube()); }
 
 inline void give_random_light(Random& random, RayLook& look)
 {
@@ -147,8 +143,28 @@ inline void give_random_light(Random& random, RayLook& look)
     look.half_height = random.uniform(0.3F, 0.8F);
 }
 
+/// Between a mirroring floor and a ball so large that it is all but flat: the ray goes to and fro more often than any
+/// `levels` allow, and rounding does not grow.
+inline void go_to_and_fro(Random& random, OneRay<BallScene>& ray)
+{
+    BallScene& scene = ray.scene;
+    const float gap = random.uniform(0.3F, 0.6F);
+    scene.balls = {{{0, 50 + gap, 0, 50}, random_color(random, 0.6F), random.uniform(0.8F, 0.95F)}};
+    scene.floor_mirror = random.uniform(0.8F, 0.95F);
+    scene.floor_radius = 12;
+    scene.light_position = glm::vec3(2, 0, 2) * random.in_cube() + glm::vec3(0, 0.5F * gap, 0);
+    scene.levels = 6;
+    const float angle = random.uniform(0, 6.28F);
+    const glm::vec3 aside(std::cos(angle), 0, std::sin(angle));
+    const float slope = random.uniform(0.5F, 0.9F) * (random.below(2) == 0 ? -1.0F : 1.0F);
+    scene.look.eye = 4.0F * aside + glm::vec3(0, random.uniform(0.2F, 0.8F) * gap, 0);
+    scene.look.target = scene.look.eye + glm::vec3(-aside.x, slope, -aside.z);
+    ray.place = {0, 0};
+}
+
 /// Rays into random scenes, most of them aimed at a ball or the floor; in most few levels, so that rounding does not
-/// grow. Of three lamps one hangs lower than others, between the balls or below the floor, and of ten one is in a ball.
+/// grow. Of three lamps one hangs low, between the balls or below the floor, and of ten one is in a ball. Of ten rays
+/// one goes to and fro between two mirrors.
 inline std::vector<OneRay<BallScene>> random_ball_rays(Random& random, int count)
 {
     std::vector<OneRay<BallScene>> rays;
@@ -187,6 +203,7 @@ inline std::vector<OneRay<BallScene>> random_ball_rays(Random& random, int count
             scene.look.target = glm::vec3(ball) + 0.7F * ball.w * random.in_cube();
             ray.place *= 0.05F;
         }
+        if (i % 10 == 7) go_to_and_fro(random, ray);
         rays.push_back(ray);
     }
     return rays;
@@ -224,13 +241,24 @@ inline void aim_along_face(Random& random, SpongeScene& scene, int axis, bool su
         scene.sun = along;
         scene.sun_color *= 2.0F;
     } else {
-        along[axis] = side * random.uniform(0.04F, 0.1F);
+        along[axis] = side * random.uniform(0.028F, 0.05F);
         scene.look.eye = place + random.uniform(3, 8) * along;
     }
 }
 
-/// Of ten rays three go anywhere, three into the smallest holes, one comes from afar, one from within the hollow,
-/// and two have a ray or the sun along a face.
+/// Into the hollow, which lies open in a face. Half of the sponges have no holes.
+inline void aim_into_hollow(Random& random, SpongeScene& scene, int axis)
+{
+    scene.depth = std::max(static_cast<int>(random.below(6)) - 2, 0);
+    glm::vec3 centre = 0.7F * random.in_cube();
+    centre[axis] = scene.look.eye[axis] < 0 ? -1.0F : 1.0F;
+    scene.ball = glm::vec4(centre, random.uniform(0.5F, 0.9F));
+    scene.look.target = centre + 0.4F * scene.ball.w * random.in_cube();
+    scene.look.eye[axis] += 2 * centre[axis];
+}
+
+/// Of ten rays two go anywhere, one into a hollow, three into the smallest holes, one comes from afar, one from within
+/// the hollow, and two have a ray or the sun along a face.
 inline std::vector<OneRay<SpongeScene>> random_sponge_rays(Random& random, int count)
 {
     std::vector<OneRay<SpongeScene>> rays;
@@ -249,7 +277,8 @@ inline std::vector<OneRay<SpongeScene>> random_sponge_rays(Random& random, int c
         ray.place = 0.5F * glm::vec2(random.in_cube());
         const int kind = i % 10;
         const auto axis = static_cast<int>(random.below(3));
-        if (kind >= 3) ray.place = {0, 0};
+        if (kind >= 2) ray.place = {0, 0};
+        if (kind == 2) aim_into_hollow(random, scene, axis);
         if (kind >= 3 && kind <= 5) aim_into_hole(random, scene, kind == 3 ? 3 : 4, axis);
         if (kind == 6) scene.look.eye = random.uniform(12, 23) * random.unit_vector();
         if (kind == 7) {

@@ -14,7 +14,7 @@ namespace umbral::lighting {
 // What all three functions find: no program in use, no texture, vertex array object 0, no buffer bound, no client array
 // enabled, no face culled, the polygon mode GL_FILL. Anything may be all else that they need: matrices and matrix mode,
 // each parameter of each light, the light model, the materials, GL_COLOR_MATERIAL and what it tracks, the shade model,
-// GL_NORMALIZE, the front face, the current colour. Each stack of matrices has place for one more.
+// GL_NORMALIZE, the front face, the current colour. Each stack of matrices has place for two more.
 
 struct PlacedLight {
     Light light;  ///< in the coordinates of its frame
@@ -63,8 +63,8 @@ struct LitThing {
 };
 
 struct LitScene {
-    glm::mat4 view{1};
-    glm::mat4 projection{1};
+    glm::mat4 view{1};        ///< turns and moves
+    glm::mat4 projection{1};  ///< of perspective, or parallel; it does not mirror
     FrameLighting lighting;
     std::vector<LitMesh> meshes;
     std::vector<LitThing> things;
