@@ -1,5 +1,6 @@
 #include <umbral/record/driver.hpp>
 
+#include "points.hpp"
 #include "scenes.hpp"
 
 namespace umbral {
@@ -42,7 +43,7 @@ const Driver driver = {
      [](Case& c, Recorder& out) {
          const auto program = compile(c);
          const Slide slide(random_texture(c.random, 4, 3));
-         record_points(out, "colors", edges(), *program);
+         record_points(out, "colors", edges(c.random), *program);
      }},
     {"random", [](Case& c, Recorder& out) { record_random(c, out, "colors", 200); }},
 };

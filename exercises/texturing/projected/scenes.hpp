@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kit/magnitude.hpp>
 #include <kit/varied.hpp>
 #include <umbral/record/variation.hpp>
 
@@ -154,7 +153,8 @@ inline Scene floor_of_two_triangles()
 }
 
 /// Balls that are stretched and turned: half of each faces away from the projector. One has few faces: between its
-/// vertices the interpolated normals are much shorter than at them.
+/// vertices the interpolated normals are much shorter than at them. The triangles of every second ball run the other
+/// way round: normals say which side is lit, and the order of the corners does not.
 inline Scene stretched_balls()
 {
     Scene scene;
@@ -164,8 +164,11 @@ inline Scene stretched_balls()
         const auto k = static_cast<float>(i);
         const glm::mat4 at = glm::rotate(glm::translate(glm::mat4(1), {1.5F * k - 2.25F, 0, 0}), 0.7F * k + 0.3F,
                                          glm::normalize(glm::vec3(0.3F, 0.4F, 1)));
-        scene.things.push_back(
-            {i == 1 ? few_faces : ball, glm::scale(at, {0.35F + 0.1F * k, 0.95F, 0.65F - 0.1F * k}), glm::vec3(0.9F)});
+        shapes::Shape shape = i == 1 ? few_faces : ball;
+        if (i % 2 == 0)
+            for (std::size_t first = 0; first < shape.indices.size(); first += 3)
+                std::swap(shape.indices[first], shape.indices[first + 1]);
+        scene.things.push_back({shape, glm::scale(at, {0.35F + 0.1F * k, 0.95F, 0.65F - 0.1F * k}), glm::vec3(0.9F)});
     }
     scene.projector = projector_at({3, 3.2F, 4.0F}, {0, 0, 0}, 50);
     scene.projector.lamp = glm::vec3(1.3F);
@@ -190,102 +193,6 @@ inline Scene varied(Variation& vary, Scene scene)
     scene.projector.view = glm::mat4(vary.turn({0, 0, 1}, 0.8F)) * scene.projector.view;
     scene.projector.lamp *= vary.near(glm::vec3(0.85F), 0.15F);
     return scene;
-}
-
-/// Turned, stretched and moved.
-inline glm::mat4 random_model(Random& random)
-{
-    glm::mat4 matrix = glm::translate(glm::mat4(1), 3.0F * random.in_cube());
-    matrix = glm::rotate(matrix, random.uniform(0, 6.28F), random.unit_vector());
-    return glm::scale(matrix, glm::vec3(1.1F) + 0.6F * random.in_cube());
-}
-
-inline Projector random_projector(Random& random)
-{
-    const glm::vec3 position = 4.0F * random.in_cube();
-    const glm::vec3 target = position + random.unit_vector();
-    const float fovy = random.uniform(20, 100);
-    Projector projector = projector_at(position, target, fovy, random.uniform(0.6F, 1.6F));
-    projector.lamp = glm::vec3(0.6F) + 0.4F * random.in_cube();
-    projector.ambient = glm::vec3(0.15F) + 0.1F * random.in_cube();
-    return projector;
-}
-
-/// A point that the projector has at (x, y) of its picture, both in [-1, 1], and that far along its axis; behind it if
-/// that is negative, where x and y are mirrored.
-inline glm::vec3 at_picture(const Projector& projector, glm::vec2 place, float distance)
-{
-    const glm::mat4& p = projector.projection;
-    const glm::vec3 eye((place.x + p[2][0]) * distance / p[0][0], (place.y + p[2][1]) * distance / p[1][1], -distance);
-    return glm::vec3(inverse(projector.view) * glm::vec4(eye, 1));
-}
-
-/// The same point with lengths in another unit: its colour is the same.
-inline Point in_unit(Point point, float unit)
-{
-    point.projector.position *= unit;
-    point.place *= unit;
-    for (glm::mat4* const matrix : {&point.projector.view, &point.model})
-        (*matrix)[3] = glm::vec4(unit * glm::vec3((*matrix)[3]), 1);
-    return point;
-}
-
-/// In the beam, beside it, and behind the projector, 2 % from the beam's border at least, in any unit of length.
-inline std::vector<Point> random_points(Random& random, int count)
-{
-    std::vector<Point> points;
-    for (int i = 0; i < count; ++i) {
-        Point point;
-        point.projector = random_projector(random);
-        const bool beside = random.below(4) == 0;
-        glm::vec2 place = 0.98F * glm::vec2(random.in_cube());
-        const float outside = random.uniform(1.02F, 2);
-        if (beside) place[random.below(2) == 0 ? 0 : 1] = random.below(2) == 0 ? outside : -outside;
-        const float distance = random.uniform(0.3F, 8) * (random.below(3) == 0 ? -1.0F : 1.0F);
-        point.place = at_picture(point.projector, place, distance);
-        point.normal =
-            glm::normalize(random.unit_vector() + 1.3F * glm::normalize(point.projector.position - point.place));
-        point.color = glm::vec3(0.6F) + 0.35F * random.in_cube();
-        point.model = random_model(random);
-        points.push_back(in_unit(point, random_unit(random, -10, 10)));
-    }
-    return points;
-}
-
-/// Where a quotient has no value, or a term vanishes, and on the beam's border; between them ordinary points.
-inline std::vector<Point> edges()
-{
-    std::vector<Point> points;
-    const Projector projector = projector_at({0, 0, 0}, {0, 0, -1}, 90);
-    const auto add = [&](const glm::vec3& place, const glm::vec3& normal) {
-        points.push_back({projector, place, normal, {0.8F, 0.6F, 0.4F}, glm::mat4(1)});
-    };
-    // Its clip coordinates are x, y and -z without any rounding.
-    Projector exact = projector;
-    exact.projection = glm::frustum(-1.0F, 1.0F, -1.0F, 1.0F, 1.0F, 3.0F);
-    const auto add_at_border = [&](const glm::vec3& place) {
-        points.push_back({exact, place, {0, 0, 1}, {0.8F, 0.6F, 0.4F}, glm::mat4(1)});
-    };
-    const glm::vec3 back(0, 0, 1);
-    for (const float x : {-0.5F, 0.25F}) {
-        add({2 * x, 0.5F, -2}, back);                         // ordinary
-        add({2 * x, 0.5F, 2}, -back);                         // its mirror image behind the projector
-        add({x, 1, 0}, glm::vec3(0, -1, 0));                  // on the projector's plane: w = 0
-        add({0, 0, 0}, back);                                 // where the projector is
-        add({2 * x, 0.5F, -2}, -back);                        // faces away
-        add({x, 0, -1}, glm::normalize(glm::vec3(1, 0, x)));  // grazing
-        add({0.02F * x, 0.01F, -0.03F}, back);                // nearer than the projector's near plane
-        add({2e-4F * x, 1e-4F, -3e-4F}, back);                // … all but in it
-        add({100 * x, 20, -160}, back);                       // farther than its far plane
-        add({1e4F * x, 2e3F, -1.6e4F}, back);                 // much farther
-        add({30 * x, 0, -1}, back);                           // beside the beam, far
-        add({0, -30 * x, -1}, back);
-        for (const float beyond : {1.0F, 1.0078125F}) {  // on the border, and 1/128 beyond it
-            add_at_border({std::copysign(2 * beyond, x), x, -2});
-            add_at_border({x, std::copysign(2 * beyond, x), -2});
-        }
-    }
-    return points;
 }
 
 }

@@ -42,7 +42,8 @@ inline std::unique_ptr<gl::Program> compile(const Case& what)
     return program;
 }
 
-/// A slide, bound to texture unit 3 while it lives: decoded from sRGB when it is read, blended between texels.
+/// A slide, bound to texture unit 3 while it lives: decoded from sRGB when it is read, blended between texels. Its
+/// alpha is no part of the light, and differs from texel to texel.
 class Slide {
 public:
     static constexpr int unit = 3;
@@ -51,8 +52,11 @@ public:
     {
         Image picture(linear.width, linear.height);
         for (int row = 0; row < picture.height; ++row)
-            for (int column = 0; column < picture.width; ++column)
-                picture.at(column, picture.height - 1 - row) = pixel_of(glm::dvec3(linear.at(column, row)));
+            for (int column = 0; column < picture.width; ++column) {
+                glm::u8vec4& texel = picture.at(column, picture.height - 1 - row);
+                texel = pixel_of(glm::dvec3(linear.at(column, row)));
+                texel.a = static_cast<std::uint8_t>(64 + (37 * column + 53 * row) % 192);
+            }
         glGenTextures(1, &name_);
         glActiveTexture(GL_TEXTURE0 + unit);
         glBindTexture(GL_TEXTURE_2D, name_);

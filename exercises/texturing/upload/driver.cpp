@@ -1,11 +1,12 @@
 #include <span>
 #include <string>
-#include <umbral/gl/record_trace.hpp>
+#include <umbral/gl/trace.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "probe.hpp"
 #include "scene.hpp"
+#include "state.hpp"
 
 namespace umbral {
 namespace {
@@ -62,8 +63,17 @@ void outside(Case& c, Recorder& out)
     });
 }
 
+/// Much longer than high, or the other way round.
+Grid<glm::u8vec3> random_strip(Random& random)
+{
+    const int length = 260 + static_cast<int>(random.below(140));
+    const int across = 1 + static_cast<int>(random.below(6));
+    return random.below(2) == 0 ? random_picture(random, length, across) : random_picture(random, across, length);
+}
+
 // Eight texels a cell along both axes: without mipmaps, a few of them; with them, the mean of 64. Then less of the
-// pyramid and more, to its last level, of a picture whose sides are no powers of two.
+// pyramid and more, to its last level, of a picture whose sides are no powers of two, and of a strip, whose longer side
+// has more levels than the other.
 void minified(Case& c, Recorder& out)
 {
     const Probe probe;
@@ -71,10 +81,12 @@ void minified(Case& c, Recorder& out)
         const Made texture = ask_new<make_texture>(out, "texture", random_picture(c.random, 32, 64), sampler, mipmaps);
         activate(out, texture, 0);
         record_cells(out, "cells", probe, 0, {glm::vec2(0.003F, 0.001F), {1.003F, 1.001F}, 4, 8});
-        const Made odd = ask_new<make_texture>(out, "texture", random_picture(c.random, 75, 44), sampler, mipmaps);
-        activate(out, odd, 0);
-        for (const int cells : {1, 2, 4, 13})
-            record_cells(out, "cells", probe, 0, {glm::vec2(0.003F, 0.001F), {1.003F, 1.001F}, cells, cells});
+        for (const Grid<glm::u8vec3>& picture : {random_picture(c.random, 75, 44), random_strip(c.random)}) {
+            const Made odd = ask_new<make_texture>(out, "texture", picture, sampler, mipmaps);
+            activate(out, odd, 0);
+            for (const int cells : {1, 2, 4, 13})
+                record_cells(out, "cells", probe, 0, {glm::vec2(0.003F, 0.001F), {1.003F, 1.001F}, cells, cells});
+        }
     });
 }
 
@@ -87,31 +99,23 @@ Made made(Recorder& out, std::string_view name, const Grid<glm::u8vec3>& picture
     return texture;
 }
 
-template <class Work>
-void record_calls(Recorder& out, std::string_view name, const Work& work)
-{
-    gl::begin_trace();
-    work();
-    gl::record_trace(out, name, gl::end_trace());
-}
-
+// Counts what lives, not what is made and deleted: deleting the name 0 deletes nothing, and what an upload needs for a
+// moment may come and go.
 void life(Case& c, Recorder& out)
 {
     float calls = 0;
-    out.columns("alive", "texture objects, calls of OpenGL when the last texture was made");
-    const auto alive = [&, before = living_textures()] {
-        out.append("alive", glm::vec2(living_textures() - before, calls));
+    out.columns("alive", "texture objects, other objects, calls of OpenGL when the last texture was made");
+    const auto alive = [&, textures = living_textures(), others = living_others()] {
+        out.append("alive", glm::vec3(living_textures() - textures, living_others() - others, calls));
     };
     Made texture = made(out, "texture", random_picture(c.random, 12, 9), true, calls);
     alive();
-    record_calls(out, "first activation", [&] { activate(out, texture, 2); });
+    activate(out, texture, 2);
     alive();
     for (const int unit : {2, 0, 5}) activate(out, texture, unit);
     alive();
-    record_calls(out, "end", [&] {
-        ask_in_words(out, [] { return "texture.reset();  // made and activated before"; });
-        texture.reset();
-    });
+    ask_in_words(out, [] { return "texture.reset();  // made and activated before"; });
+    texture.reset();
     alive();
     for (int i = 0; i < 4; ++i) {
         made(out, "texture", random_picture(c.random, 2, 2), i % 2 == 0, calls).reset();
@@ -163,8 +167,12 @@ void frames(Case& c, Recorder& out)
     }
 }
 
-void record_state(Recorder& out, const Decoys& decoys)
+/// Does what may change state, and records what that left.
+template <class Work>
+void record_state(Recorder& out, const Decoys& decoys, const Work& work)
 {
+    const Snapshot before;
+    work();
     std::vector<float> row = {static_cast<float>(integer(GL_ACTIVE_TEXTURE) - GL_TEXTURE0)};
     for (const GLenum name : {GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS,
                               GL_PIXEL_UNPACK_BUFFER_BINDING})
@@ -172,9 +180,11 @@ void record_state(Recorder& out, const Decoys& decoys)
     row.push_back(static_cast<float>(glGetError()));
     const std::vector<float> bound = decoys.bound();
     row.insert(row.end(), bound.begin(), bound.end());
+    Snapshot().append_changes(row, before);
     out.columns("left",
                 "active unit, GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, "
-                "GL_PIXEL_UNPACK_BUFFER_BINDING, glGetError, bound to each unit/16");
+                "GL_PIXEL_UNPACK_BUFFER_BINDING, glGetError, bound to each unit/16" +
+                    Snapshot::columns());
     out.append("left", std::span<const float>(row));
 }
 
@@ -192,19 +202,21 @@ void state(Case& c, Recorder& out)
     for (int round = 0; round < 6; ++round) {
         const Decoys decoys;
         choose_state(c.random);
-        Made texture = ask_new<make_texture>(out, "texture", random_picture(c.random, 5, 3), Sampler{}, round % 2 == 1);
-        record_state(out, decoys);
+        Made texture;
+        record_state(out, decoys, [&] {
+            texture = ask_new<make_texture>(out, "texture", random_picture(c.random, 5, 3), Sampler{}, round % 2 == 1);
+        });
         for (int frame = 0; frame < 3; ++frame) {
             choose_state(c.random);
             const auto unit = static_cast<int>(c.random.below(units));
-            activate(out, texture, unit);
-            record_state(out, decoys);
+            record_state(out, decoys, [&] { activate(out, texture, unit); });
             record_cells(out, "seen", probe, unit, {{0, 0}, {1, 1}, 5, 3});
         }
         choose_state(c.random);
-        ask_in_words(out, [] { return "texture.reset();  // activated three times before"; });
-        texture.reset();
-        record_state(out, decoys);
+        record_state(out, decoys, [&] {
+            ask_in_words(out, [] { return "texture.reset();  // activated three times before"; });
+            texture.reset();
+        });
     }
 }
 
@@ -242,12 +254,15 @@ void several(Case& c, Recorder& out)
     for (const int unit : {1, 3, 4}) record(unit);
 }
 
+/// From 1 to 256, as often below 16 as above.
+int random_side(Random& random) { return 1 + static_cast<int>(random.below(2U << random.below(8))); }
+
 void random(Case& c, Recorder& out)
 {
     const Probe probe;
     for (int i = 0; i < 24; ++i) {
-        const int width = 1 + static_cast<int>(c.random.below(23));
-        const int height = 1 + static_cast<int>(c.random.below(23));
+        const int width = random_side(c.random);
+        const int height = random_side(c.random);
         const Sampler sampler = random_sampler(c.random);
         const bool mipmaps = c.random.below(2) == 1;
         const Made texture =

@@ -10,10 +10,8 @@
 
 #include "../support.hpp"
 
-/// What a texture unit gives to shaders, and what state OpenGL is in.
+/// What a texture unit gives to shaders.
 namespace umbral::texturing {
-
-inline constexpr int units = 16;
 
 /// A rectangle of texture coordinates, read at the centres of columns x rows cells.
 struct Window {
@@ -96,70 +94,5 @@ inline Sampler random_sampler(Random& random)
     sampler.wrap_v = random_wrap(random);
     return sampler;
 }
-
-inline GLint integer(GLenum name)
-{
-    GLint value = 0;
-    glGetIntegerv(name, &value);
-    return value;
-}
-
-/// How many of the first two hundred names are names of textures.
-inline int living_textures()
-{
-    int count = 0;
-    for (GLuint name = 1; name <= 200; ++name) count += glIsTexture(name) == GL_TRUE ? 1 : 0;
-    return count;
-}
-
-/// A texture of one grey texel for every unit, the driver's own: bound before the student's code runs, so that a
-/// binding that goes to a wrong unit shows. The active unit is 0 afterwards.
-class Decoys {
-public:
-    Decoys()
-    {
-        glGenTextures(units, names_.data());
-        constexpr std::array<GLubyte, 4> grey = {77, 77, 77, 255};
-        for (int unit = units - 1; unit >= 0; --unit) {
-            glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-            glBindTexture(GL_TEXTURE_2D, names_[static_cast<std::size_t>(unit)]);
-            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, grey.data());
-            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_MIRRORED_REPEAT);
-        }
-    }
-    Decoys(const Decoys&) = delete;
-    Decoys& operator=(const Decoys&) = delete;
-    ~Decoys() { glDeleteTextures(units, names_.data()); }
-
-    /// What each unit has: 0 nothing, 1 its own decoy as it was, 2 another texture. Leaves the active unit alone.
-    [[nodiscard]] std::vector<float> bound() const
-    {
-        const auto active = static_cast<GLenum>(integer(GL_ACTIVE_TEXTURE));
-        std::vector<float> row;
-        for (std::size_t unit = 0; unit < names_.size(); ++unit) {
-            glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-            const auto name = static_cast<GLuint>(integer(GL_TEXTURE_BINDING_2D));
-            row.push_back(name == 0 ? 0.0F : name == names_[unit] && is_untouched() ? 1.0F : 2.0F);
-        }
-        glActiveTexture(active);
-        return row;
-    }
-
-private:
-    /// The texture that is bound.
-    static bool is_untouched()
-    {
-        GLint width = 0;
-        GLint wrap = 0;
-        GLint filter = 0;
-        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
-        glGetTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, &wrap);
-        glGetTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, &filter);
-        return width == 1 && wrap == GL_MIRRORED_REPEAT && filter == GL_NEAREST;
-    }
-
-    std::array<GLuint, units> names_{};
-};
 
 }

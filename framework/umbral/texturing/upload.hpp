@@ -15,9 +15,10 @@ public:
     /// From now on texture unit `unit`, 0 to 15, has this texture as its GL_TEXTURE_2D.
     ///
     /// The first call makes the texture object and uploads the picture; all later ones bind it, and upload nothing.
-    /// Needs a current OpenGL context. Changes nothing but what is bound to that unit: the active unit
-    /// (glActiveTexture), GL_UNPACK_ALIGNMENT and the other units are afterwards as they were. GL_UNPACK_ALIGNMENT may
-    /// be 1, 2, 4 or 8 before; all else that governs how OpenGL reads pictures is as it is in a new context.
+    /// Needs a current OpenGL context. Changes nothing but which GL_TEXTURE_2D is bound to that unit: the active unit
+    /// (glActiveTexture), GL_UNPACK_ALIGNMENT, the other units, all switches (glEnable) and other bindings are
+    /// afterwards as they were. GL_UNPACK_ALIGNMENT may be 1, 2, 4 or 8 before; all else that governs how OpenGL reads
+    /// pictures is as it is in a new context.
     virtual void activate(int unit) = 0;
 };
 
