@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <texturing/upload/probe.hpp>
+#include <texturing/upload/state.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/gl/context.hpp>
 #include <umbral/gl/trace.hpp>
