@@ -13,10 +13,14 @@ namespace {
 
 using namespace raytracing;
 
+// All questions of a case lie at one place in memory, so that who keeps something for the next call, and knows the
+// triangle by its address, keeps what belongs to another.
 void record_all(Recorder& out, const std::vector<TriangleShot>& shots)
 {
-    for (const auto& [ray, triangle] : shots) {
-        const std::optional<TriangleHit> hit = ask<intersect_triangle>(out, ray, triangle);
+    TriangleShot shot;
+    for (const TriangleShot& next : shots) {
+        shot = next;
+        const std::optional<TriangleHit> hit = ask<intersect_triangle>(out, shot.ray, shot.triangle);
         out.append("t", hit ? std::optional(hit->t) : std::nullopt);
         out.append("a", hit ? std::optional(hit->a) : std::nullopt);
         out.append("b", hit ? std::optional(hit->b) : std::nullopt);
@@ -25,8 +29,10 @@ void record_all(Recorder& out, const std::vector<TriangleShot>& shots)
 
 void record(Recorder& out, const std::vector<TriangleShot>& shots)
 {
-    for (const auto& [ray, triangle] : shots) {
-        const std::optional<TriangleHit> hit = ask<intersect_triangle>(out, ray, triangle);
+    TriangleShot shot;
+    for (const TriangleShot& next : shots) {
+        shot = next;
+        const std::optional<TriangleHit> hit = ask<intersect_triangle>(out, shot.ray, shot.triangle);
         out.append("t", hit ? std::optional(hit->t) : std::nullopt);
     }
 }
@@ -74,23 +80,24 @@ std::vector<TriangleShot> at_the_edges(Random& random)
 }
 
 // Where the interval (t_min, t_max) decides: the triangle lies behind, before t_min, or beyond t_max. A point at an end
-// of it does not count; where it begins behind the origin, points there do. Half of the directions are of any length.
+// of it does not count; where it begins behind the origin, points there do. It may lie behind the origin as a whole,
+// have no end, or be empty. Half of the directions are of any length.
 std::vector<TriangleShot> intervals(Random& random)
 {
     std::vector<TriangleShot> shots;
-    for (int i = 0; i < 160; ++i) {
+    for (int i = 0; i < 240; ++i) {
         const TriangleShot ahead = exact_shot(random, {1, 1 + i % 2}, 3);
         const TriangleShot behind = exact_shot(random, {1, 1 + i % 2}, -3);
         // Every second time at a corner: there the ray begins where the triangle does.
-        const TriangleShot there = exact_shot(random, i % 16 == 7 ? glm::vec2(0) : glm::vec2(1, 2), 0);
-        const float length = i / 8 % 2 == 0 ? 1 : std::ldexp(1.0F, static_cast<int>(random.below(81)) - 40);
+        const TriangleShot there = exact_shot(random, i % 24 == 7 ? glm::vec2(0) : glm::vec2(1, 2), 0);
+        const float length = i / 12 % 2 == 0 ? 1 : std::ldexp(1.0F, static_cast<int>(random.below(81)) - 40);
         const auto in = [&](TriangleShot shot, float t_min, float t_max) {
             shot.ray.t_min = t_min;
             shot.ray.t_max = t_max;
             shot.ray = counted_in(shot.ray, length);
             return shot;
         };
-        switch (i % 8) {
+        switch (i % 12) {
             case 0: add_pair(shots, in(ahead, 0, endless), in(behind, 0, endless), random); break;
             case 1: add_pair(shots, in(ahead, 2.75F, endless), in(ahead, 3.25F, endless), random); break;
             case 2: add_pair(shots, in(ahead, 0, 3.25F), in(ahead, 0, 2.75F), random); break;
@@ -98,7 +105,11 @@ std::vector<TriangleShot> intervals(Random& random)
             case 4: add_pair(shots, in(ahead, 0, 3 * barely_more), in(ahead, 0, 3), random); break;
             case 5: add_pair(shots, in(behind, -3 * barely_more, -2), in(behind, -3, -2), random); break;
             case 6: add_pair(shots, in(ahead, -4, endless), in(behind, -2, endless), random); break;
-            default: add_pair(shots, in(there, -1, 1), in(there, 0, endless), random);
+            case 7: add_pair(shots, in(there, -1, 1), in(there, 0, endless), random); break;
+            case 8: add_pair(shots, in(behind, -endless, endless), in(behind, 0, endless), random); break;
+            case 9: add_pair(shots, in(ahead, -endless, 3.25F), in(ahead, -endless, 2.75F), random); break;
+            case 10: add_pair(shots, in(behind, -endless, -2.75F), in(behind, -endless, -3.25F), random); break;
+            default: add_pair(shots, in(ahead, 2.75F, 3.25F), in(ahead, 3.25F, 2.75F), random);
         }
     }
     return shots;
@@ -151,12 +162,24 @@ std::vector<TriangleShot> sizes(Random& random)
     return shots;
 }
 
-// Rays nearly in the plane, close to an edge, and at slivers: double is good enough for them.
+// Rays nearly in the plane, close to an edge, and at slivers: double is good enough for them. Of the first ones every
+// second pair is tiny, and every fourth huge, in figure and direction: no float holds their determinants.
 std::vector<TriangleShot> for_double(Random& random)
 {
     std::vector<TriangleShot> shots = random_pairs(random, 300, 1e-4, 1e-2, 0.1);
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        auto& [ray, triangle] = shots[i];
+        const std::size_t pair = i / 2;
+        if (pair % 4 == 0) continue;
+        const float sign = pair % 4 == 3 ? 1 : -1;
+        const float size = std::exp2(sign * std::floor(random.uniform(16, 31)));
+        ray.direction *= std::exp2(sign * std::floor(random.uniform(75, 91)));
+        ray.origin *= size;
+        for (glm::vec3* corner : {&triangle.v0, &triangle.v1, &triangle.v2}) *corner *= size;
+    }
     add_close_to_edges(shots, 70, random);
     add_slivers(shots, 70, random);
+    add_needles(shots, 110, random);
     return shots;
 }
 

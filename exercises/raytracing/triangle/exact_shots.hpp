@@ -95,4 +95,33 @@ inline void add_slivers(std::vector<TriangleShot>& shots, int count, Random& ran
     }
 }
 
+/// Needles of whole numbers across an axis, up to six million long, whose area is 8: the products that it is a
+/// difference of are equal when they are rounded to float. The ray meets them in their middle, and the twin passes one
+/// beside it.
+inline void add_needles(std::vector<TriangleShot>& shots, int count, Random& random)
+{
+    const auto whole = [&](float reach) { return glm::vec3(glm::ivec3(reach * random.in_cube())); };
+    for (int i = 0; i < count; ++i) {
+        const float m = std::floor(std::exp2(random.uniform(11, 20)));
+        const int along = static_cast<int>(random.below(3));
+        const glm::vec3 corner = whole(1000);
+        const auto place = [&](float x, float y) {
+            glm::vec3 p = corner;
+            p[(along + 1) % 3] += x;
+            p[(along + 2) % 3] += y;
+            return p;
+        };
+        glm::vec3 direction = whole(8);
+        direction[along] = random.below(2) == 0 ? 1.0F : -2.0F;
+        const float side = random.below(2) == 0 ? 1.0F : -1.0F;
+        const Triangle triangle =
+            begun_anywhere({corner, place(4 * (m + 1), 4 * side * m), place(4 * m, 4 * side * (m - 1))}, random);
+        const auto at = [&](float beside) {
+            const glm::vec3 target = place(2 * m + 1 + beside, side * (2 * m - 1));
+            return TriangleShot{Ray{target - 3.0F * direction, direction}, triangle};
+        };
+        add_pair(shots, at(0), at(random.below(2) == 0 ? 1.0F : -1.0F), random);
+    }
+}
+
 }

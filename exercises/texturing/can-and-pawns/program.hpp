@@ -137,8 +137,10 @@ public:
         glUseProgram(0);              // the fixed function, as in a new context
         target_.clear({1, 0, 1, 1});  // so that what a frame leaves out shows
         const float before = living_texels();
+        // A program may draw all the time: it shows twenty frames a second then, and ten with glfwSwapInterval(1).
         const input::Headless headless(script_, {.content_scale = glm::dvec2(wanted.pixels),
-                                                 .frame_seconds = 0.1,
+                                                 .poll_seconds = 0.05,
+                                                 .frame_seconds = 0.05,
                                                  .patience_seconds = 0.2,
                                                  .on_frame = [&] { end_frame(before); }});
         const gl::DrawWatch watch([this] { see_draw(); });
