@@ -66,6 +66,7 @@ json check(const CheckResult& value, Detail detail)
     if (!value.common.empty()) result["common"] = text(value.common);
     if (!value.practice.empty()) result["practice"] = text(value.practice);
     if (value.practice_example) result["practice_example"] = difference(value.practice_example);
+    if (value.held_back) result["held_back"] = true;
     if (value.beside) result["beside"] = true;
     if (!value.about.empty()) result["about"] = text(value.about);
     if (!value.headline.empty()) result["headline"] = text(value.headline);

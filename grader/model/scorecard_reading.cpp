@@ -81,6 +81,7 @@ CheckResult check(const Field& field)
                       "metrics",
                       "first_difference",
                       "common",
+                      "held_back",
                       "beside",
                       "simplest",
                       "about",
@@ -110,6 +111,7 @@ CheckResult check(const Field& field)
     if (const Field practice = field.member("practice"); practice.given()) result.practice = text(practice);
     if (const Field example = field.member("practice_example"); example.given())
         result.practice_example = difference(example);
+    if (const Field held = field.member("held_back"); held.given()) result.held_back = held.boolean();
     if (const Field beside = field.member("beside"); beside.given()) result.beside = beside.boolean();
     if (const Field about = field.member("about"); about.given()) result.about = text(about);
     if (const Field headline = field.member("headline"); headline.given()) result.headline = text(headline);

@@ -98,6 +98,7 @@ void weigh_with_others(Worker& worker, const Exercise& exercise, const CaseResul
         }
         const auto most = static_cast<Millipoints>(std::floor(static_cast<double>(check.points) * best));
         if (earned.score <= most) continue;
+        earned.held_back = earned.score == earned.max_score;
         earned.message +=
             fmt::format("{}{}: {} of {} points count", earned.message.empty() ? "" : "; ",
                         check.with.empty() ? "these calls draw too little of the right picture"

@@ -40,6 +40,8 @@ TEST_F(WorthOfCalls, is_half_where_they_draw_nothing)
     const UnitResult result = graded("feed(0);", "");
     const auto [score, most] = of_calls(result);
     EXPECT_NEAR(static_cast<double>(score), static_cast<double>(most) / 2, 3);
+    EXPECT_TRUE(check(result, "frames/later frames").held_back);
+    EXPECT_FALSE(check(result, "rosette/picture").held_back);
     EXPECT_NE(check(result, "frames/later frames").message.find("these calls draw too little of the right picture"),
               std::string::npos)
         << check(result, "frames/later frames").message;

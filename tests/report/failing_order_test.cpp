@@ -36,6 +36,9 @@ TEST(FailingOrder, the_first_failing_check_is_the_most_exact_one_and_not_the_man
     EXPECT_EQ(first(), "work/blocks") << "what is right is no failure";
     unit.checks[1].hidden = true;
     EXPECT_EQ(first(), "colours/image");
+    unit.checks[1].hidden = false;
+    unit.checks[1].held_back = true;
+    EXPECT_EQ(first(), "colours/image") << "what is held back by another check has nothing wrong to show";
 }
 
 // The last digits of a hard case have a question that leads somewhere; a pixel has thirty.
