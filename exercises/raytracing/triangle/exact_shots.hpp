@@ -111,7 +111,7 @@ inline void add_needles(std::vector<TriangleShot>& shots, int count, Random& ran
             p[(along + 2) % 3] += y;
             return p;
         };
-        glm::vec3 direction = whole(8);
+        glm::vec3 direction(0);
         direction[along] = random.below(2) == 0 ? 1.0F : -2.0F;
         const float side = random.below(2) == 0 ? 1.0F : -1.0F;
         const Triangle triangle =

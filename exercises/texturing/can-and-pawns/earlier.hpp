@@ -32,6 +32,22 @@ inline void draw_box(const glm::vec3& color)
         }
 }
 
+inline constexpr glm::vec3 paper{0.93F, 0.93F, 0.90F};
+
+/// The whole picture in the colour of paper, with OpenGL's state as draw() may expect it: without a depth test it hides
+/// nothing that comes later, near as it is.
+inline void draw_backdrop()
+{
+    for (const GLenum stack : {GL_PROJECTION, GL_MODELVIEW}) {
+        glMatrixMode(stack);
+        glLoadIdentity();
+    }
+    glColor3fv(value_ptr(paper));
+    glBegin(GL_QUADS);
+    for (const glm::vec2 corner : {glm::vec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) glVertex3f(corner.x, corner.y, -1);
+    glEnd();
+}
+
 /// How the camera stands: turned about the scene, in radians, and its lens, in degrees of height.
 struct CameraPose {
     float longitude = 0.12F;
@@ -66,8 +82,9 @@ public:
     {
         ++draws;
         drawing = true;
-        glClearColor(0.93F, 0.93F, 0.90F, 1);
+        glClearColor(paper.r, paper.g, paper.b, 1);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        draw_backdrop();
         glEnable(GL_DEPTH_TEST);
         std::array<GLint, 4> viewport{};
         glGetIntegerv(GL_VIEWPORT, viewport.data());

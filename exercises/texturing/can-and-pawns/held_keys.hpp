@@ -23,11 +23,12 @@ inline std::string held(double time, const std::string& key, int events)
 
 inline std::string keys_of_light()
 {
-    return held(0.05, "X", 1) + held(0.2, "4", 4) + held(0.4, "A", 3) + held(0.6, "X", 1) +
-           "0.80 key LEFT_SHIFT press\n0.81 key Z press\n0.82 key Z release\n0.83 key C press\n0.84 key C repeat\n"
-           "0.85 key C release\n0.86 key LEFT_SHIFT release\n" +
-           held(1.0, "RIGHT", 3) + held(1.2, "A", 11) + held(1.4, "Z", 1) + held(1.6, "4", 1) + held(1.65, "A", 1) +
-           held(1.8, "4", 1) + held(2.0, "P", 1);
+    // The mode is left early, so that most of what follows shows whether the light stayed as the keys had turned it.
+    return held(0.05, "X", 1) + held(0.2, "4", 4) + "0.40 key X press\n0.405 key X release\n" + held(0.41, "A", 3) +
+           "0.60 key LEFT_SHIFT press\n0.61 key Z press\n0.62 key Z release\n0.63 key C press\n0.64 key C repeat\n"
+           "0.65 key C release\n0.66 key LEFT_SHIFT release\n" +
+           held(0.8, "4", 1) + held(0.85, "A", 1) + held(1.0, "4", 1) + held(1.2, "RIGHT", 3) + held(1.4, "A", 11) +
+           held(1.6, "Z", 1) + held(1.8, "X", 1) + held(2.0, "P", 1);
 }
 
 inline void lights_of_program(Case& c, Recorder& out)

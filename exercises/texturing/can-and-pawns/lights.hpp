@@ -34,6 +34,10 @@ inline void record_lights(Recorder& out)
     GLint control = 0;
     glGetIntegerv(GL_LIGHT_MODEL_COLOR_CONTROL, &control);
     row.push_back(control == GL_SEPARATE_SPECULAR_COLOR ? 1.0F : 0.0F);
+    // Highlights are those of a viewer far away.
+    GLint local = 0;
+    glGetIntegerv(GL_LIGHT_MODEL_LOCAL_VIEWER, &local);
+    row.push_back(local != 0 ? 1.0F : 0.0F);
     GLint depth = 0;
     glGetIntegerv(GL_MODELVIEW_STACK_DEPTH, &depth);
     row.push_back(static_cast<float>(depth));
@@ -41,7 +45,8 @@ inline void record_lights(Recorder& out)
     glGetFloatv(GL_MODELVIEW_MATRIX, value_ptr(stack));
     for (int i = 0; i < 16; ++i) row.push_back(stack[i / 4][i % 4]);
     out.columns("model",
-                "GL_LIGHT_MODEL_AMBIENT/3, separate specular, GL_MODELVIEW_STACK_DEPTH, GL_MODELVIEW_MATRIX/16");
+                "GL_LIGHT_MODEL_AMBIENT/3, separate specular, GL_LIGHT_MODEL_LOCAL_VIEWER, GL_MODELVIEW_STACK_DEPTH, "
+                "GL_MODELVIEW_MATRIX/16");
     out.append("model", std::span<const float>(row));
     for (GLenum light = GL_LIGHT0; light < GL_LIGHT0 + 8; ++light) {
         const bool on = glIsEnabled(light) == GL_TRUE;

@@ -18,10 +18,11 @@ constexpr float pi = std::numbers::pi_v<float>;
 void record_known(Variation& vary, Recorder& out)
 {
     const AxisAngle turns[] = {
-        {{0, 0, 1}, pi / 2},         {{1, 0, 0}, pi / 2}, {{0, 1, 0}, pi / 2}, {{1, 1, 1}, 2 * pi / 3},
-        {{1, 0, 0}, 23 * pi / 180},  {{0, 1, 0}, pi / 3}, {{0, 0, 1}, pi / 4}, {{0, 0, -1}, pi / 2},
-        {{0, 0, 1}, -pi / 2},        {{0, 3, 4}, pi},     {{2, 0, 0}, 1},      {{1, -1, 0}, 0.5F},
-        {{-0.3F, 0.4F, 1.2F}, 2.5F}, {{0, 0, 7}, 0}};
+        {{0, 0, 1}, pi / 2},         {{1, 0, 0}, pi / 2}, {{0, 1, 0}, pi / 2},  {{1, 1, 1}, 2 * pi / 3},
+        {{1, 0, 0}, 23 * pi / 180},  {{0, 1, 0}, pi / 3}, {{0, 0, 1}, pi / 4},  {{0, 0, -1}, pi / 2},
+        {{0, 0, 1}, -pi / 2},        {{0, 3, 4}, pi},     {{2, 0, 0}, 1},       {{1, -1, 0}, 0.5F},
+        {{-0.3F, 0.4F, 1.2F}, 2.5F}, {{0, 0, 7}, 0},      {{-1, 0, 0}, pi / 2}, {{-2.5F, 0, 0}, 0.7F},
+        {{0, -1, 0}, pi / 3},        {{0, -0.5F, 0}, 2}};
     for (const AxisAngle& written : turns) {
         const AxisAngle turn{vary.exact_map(0).place(written.axis), vary.scaled(written.angle, 1.1F)};
         out.append("matrix", ask<rotation_matrix>(out, turn));
@@ -77,10 +78,11 @@ void record_lengths(Random& random, Recorder& out)
     }
 }
 
-// Many times round, to both sides, and turns that end close to half a turn.
+// Many times round, to both sides, also by floats that are far apart, and turns that end close to half a turn.
 void record_angles(Random& random, Recorder& out)
 {
-    for (const float angle : {pi, -pi, 2 * pi, 7.0F, 100.0F, -1e3F, 1e4F, 1e5F, -1e6F, 3.14F, 3.1415F, 3.1416F}) {
+    for (const float angle :
+         {pi, -pi, 2 * pi, 7.0F, 100.0F, -1e3F, 1e4F, 1e5F, -1e6F, 1e13F, -3e38F, 3.14F, 3.1415F, 3.1416F}) {
         for (int i = 0; i < 10; ++i) {
             const float off = i < 5 ? 0 : random.uniform(-1e-3F, 1e-3F);
             out.append("matrix", ask<rotation_matrix>(out, {random.unit_vector(), angle * (1 + off)}));
@@ -88,26 +90,35 @@ void record_angles(Random& random, Recorder& out)
     }
 }
 
-// Pairs of a turn that turns nothing and one that does, so that neither answer to all of them is worth anything.
-void record_nothing(Random& random, Recorder& out)
+/// Turns that turn nothing: one number that is not finite, at each place, and axes of no length.
+std::vector<AxisAngle> idle_turns(Random& random)
 {
     constexpr float infinity = std::numeric_limits<float>::infinity();
-    constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-    const AxisAngle idle[] = {{{0, 0, 0}, 1},
-                              {{0, 0, 0}, 0},
-                              {{0, 0, 0}, -3},
-                              {{1, 0, 0}, not_a_number},
-                              {{0, 1, 0}, infinity},
-                              {{0, 1, 0}, -infinity},
-                              {{infinity, 0, 0}, 1},
-                              {{0, not_a_number, 1}, 0.5F},
-                              {{0, 1, not_a_number}, 0.5F},
-                              {{infinity, 1, infinity}, 2}};
-    for (const AxisAngle& turn : idle) {
+    std::vector<AxisAngle> turns;
+    for (const float bad : {infinity, -infinity, std::numeric_limits<float>::quiet_NaN()}) {
+        for (int place = 0; place < 3; ++place) {
+            AxisAngle turn = random_turn(random);
+            turn.axis[place] = bad;
+            if (random.below(2) == 0) turn.axis[(place + 1) % 3] = 0;
+            turns.push_back(turn);
+        }
+        turns.push_back({random_turn(random).axis, bad});
+    }
+    for (const float angle : {1.0F, 0.0F, -3.0F, infinity}) turns.push_back({glm::vec3(0), angle});
+    return turns;
+}
+
+// Pairs of a turn that turns nothing and one that does, so that neither answer to all of them is worth anything. Every
+// fourth vector is the zero vector, which stays what it is in any turn.
+void record_nothing(Random& random, Recorder& out)
+{
+    int pair = 0;
+    for (const AxisAngle& turn : idle_turns(random)) {
         const AxisAngle other = random_turn(random);
+        const float length = ++pair % 4 == 0 ? 0 : 1;
         const bool swapped = random.below(2) == 1;
         for (const AxisAngle& asked : {swapped ? other : turn, swapped ? turn : other}) {
-            const glm::vec3 vector = random.in_cube();
+            const glm::vec3 vector = length * random.in_cube();
             out.append("matrix", ask<rotation_matrix>(out, asked));
             out.append("vector", ask<rotate_vector>(out, vector, asked));
         }
@@ -174,7 +185,12 @@ void record_chains(Random& random, Recorder& out)
         out.append("matrix", ask<compose_rotations>(out, turns));
     }
     for (std::size_t i = 0; i < 20; ++i) {
-        out.append("matrix", ask<compose_rotations>(out, turns_in_twos(1 + i % 4, random)));
+        std::vector<AxisAngle> turns = turns_in_twos(1 + i % 4, random);
+        // Between two turns about one line, one about the same axis that turns nothing.
+        if (i % 2 == 1)
+            turns.insert(turns.begin() + 1, {turns[0].axis, i % 4 == 1 ? std::numeric_limits<float>::quiet_NaN()
+                                                                       : std::numeric_limits<float>::infinity()});
+        out.append("matrix", ask<compose_rotations>(out, turns));
         out.append("matrix", ask<compose_rotations>(out, there_and_back(random_turns(random, 2 + i % 3), random)));
     }
 }
