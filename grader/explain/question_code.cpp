@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 namespace umbral::grader {
 namespace {
 
@@ -22,14 +25,25 @@ std::vector<std::uint32_t> shown_of(const QuestionSpan& span)
 std::string together(const QuestionSpan& span, const std::map<std::uint32_t, std::string>& code)
 {
     const std::vector<std::uint32_t> shown = shown_of(span);
-    std::string text = span.count > 1 ? fmt::format("// {} calls in this order led to it\n", span.count) : "";
+    std::vector<std::string_view> texts;
     for (const std::uint32_t question : shown) {
         const auto found = code.find(question);
         if (found == code.end()) return "";
-        if (shown.size() < span.count && question == shown[most_together / 2])
+        texts.push_back(found->second);
+    }
+    const auto is_in_a_later_one = [&](std::size_t i) {
+        return std::any_of(texts.begin() + static_cast<std::ptrdiff_t>(i) + 1, texts.end(),
+                           [&](std::string_view later) {
+                               return later != texts[i] && later.find(texts[i]) != std::string_view::npos;
+                           });
+    };
+    std::string text = span.count > 1 ? fmt::format("// {} calls in this order led to it\n", span.count) : "";
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        if (shown.size() < span.count && i == most_together / 2)
             text += fmt::format("// … {} calls left out\n", span.count - shown.size());
-        text += found->second;
-        if (question != shown.back()) text += '\n';
+        if (is_in_a_later_one(i)) continue;
+        text += texts[i];
+        if (i + 1 < shown.size()) text += '\n';
     }
     return text;
 }
