@@ -227,10 +227,12 @@ std::vector<Task> random_tasks(Random& random, int count, bool with_concave)
     std::vector<Task> tasks;
     for (int i = 0; i < count; ++i) {
         const bool rough = with_concave && i % 2 == 0;
-        Polygon polygon = random_polygon(random, 3 + random.below(rough ? 9 : 5), rough ? 1.0F : 0.0F);
+        // Two have more corners than an array that seems large enough.
+        const std::uint32_t most = i % 100 == 22 ? 300 + random.below(400) : 3 + random.below(rough ? 9 : 5);
+        Polygon polygon = random_polygon(random, most, rough ? 1.0F : 0.0F);
         if (i % 12 == 3) polygon = times(polygon, 0.15F);  // inside, mostly
         if (i % 6 == 3) repeat_a_corner(random, polygon);
-        const std::uint32_t sides = 3 + random.below(i % 8 == 7 ? 14 : 5);
+        const std::uint32_t sides = i % 8 == 7 ? 12 + random.below(29) : 3 + random.below(5);
         tasks.push_back({std::move(polygon), random_window(random, sides), random_unit(random, -24, 12)});
         if (i % 8 == 1) tasks.back().polygon = two_corners(random, tasks.back().window);
         if (i % 12 == 5) spoil(random, i % 24 == 5 ? tasks.back().polygon : tasks.back().window);

@@ -85,6 +85,7 @@ public:
         glClearColor(paper.r, paper.g, paper.b, 1);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         draw_backdrop();
+        const bool found_depth_test = glIsEnabled(GL_DEPTH_TEST) == GL_TRUE;
         glEnable(GL_DEPTH_TEST);
         std::array<GLint, 4> viewport{};
         glGetIntegerv(GL_VIEWPORT, viewport.data());
@@ -99,7 +100,7 @@ public:
             draw_box({0.25F + 0.15F * static_cast<float>(storey), 0.35F, 0.85F - 0.15F * static_cast<float>(storey)});
             place = rotate(translate(place, {0, 0.42F, 0}), 0.5F, {0, 1, 0});
         }
-        glDisable(GL_DEPTH_TEST);
+        if (!found_depth_test) glDisable(GL_DEPTH_TEST);  // what was left wrong is wrong in each frame
         drawing = false;
     }
 

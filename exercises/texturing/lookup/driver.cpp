@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <kit/refusal.hpp>
 #include <limits>
 #include <umbral/record/ask.hpp>
@@ -13,10 +14,16 @@ using namespace texturing;
 
 using Textures = std::vector<Grid<glm::vec4>>;
 
+// All textures lie at one place in memory when they are asked for, whatever their sizes, so that who keeps something of
+// a texture, and knows it by its address, keeps what belongs to another.
 void record(Recorder& out, const Textures& textures, const std::vector<Query>& queries)
 {
-    for (const Query& query : queries)
-        out.append("colours", ask<lookup>(out, textures[query.texture], query.sampler, query.uv));
+    Grid<glm::vec4> asked = *std::ranges::max_element(textures, {}, [](const auto& each) { return each.cells.size(); });
+    std::size_t held = textures.size();
+    for (const Query& query : queries) {
+        if (query.texture != held) asked = textures[held = query.texture];
+        out.append("colours", ask<lookup>(out, asked, query.sampler, query.uv));
+    }
 }
 
 // Red, green / blue, white as one sees it: row 0 is the top one. Beside it, four greys in a row.
@@ -190,13 +197,15 @@ void without_texels(Random& random, Recorder& out)
 }
 
 // A long way from 0 the fraction has few bits left, and a product with the size has none to spare; just below 0 it
-// rounds up to 1. The largest have no fraction left, and no whole number of 32 or 64 bits holds them.
+// rounds up to 1. The largest have no fraction left, and no whole number of 32 or 64 bits holds them. Every fifth u is
+// clamped: such places are the edge.
 void far_out(Random& random, Recorder& out)
 {
     const Textures textures = {random_texture(random, 256, 256), random_texture(random, 300, 77)};
     std::vector<Query> queries;
     for (int i = 0; i < 600; ++i) {
-        const Sampler sampler{both_filters[random.below(2)], Wrap::repeat, Wrap::repeat};
+        const Wrap wrap = i % 5 == 3 ? Wrap::clamp_to_edge : Wrap::repeat;
+        const Sampler sampler{both_filters[random.below(2)], wrap, Wrap::repeat};
         glm::vec2 uv(0);
         for (int axis = 0; axis < 2; ++axis) {
             const float power = i % 6 == 0   ? random.uniform(-30, -9)
