@@ -31,8 +31,8 @@ struct TriangleHit {
 /// with NaN in them, hit nothing.
 /// **Watertight**: of two triangles on both sides of an edge, every ray that crosses the edge hits at least one,
 /// whatever is rounded; and through a corner, of all those around it.
-/// Guarantee of the reference, down to sines of 1e-4 of the ray's angle with the plane: t is within 1 ulp, a and b
-/// within 1e-7. Course: problem 4.2.
+/// Guarantee of the reference, down to sines of 1e-4 of the ray's angle with the plane: t is within 1 ulp, and a and
+/// b within 1e-7, but of needles that are met at a slant. Course: problem 4.2.
 [[nodiscard]] std::optional<TriangleHit> intersect(const Ray& ray, const Triangle& triangle);
 
 }
