@@ -83,10 +83,10 @@ bool has_no_time(const Toolchain& tools)
 }
 
 /// By what the clock says, or by the compiler's word about a process of its own.
-bool ran_out_of_processor_time(const ConfinedResult& result)
+bool ran_out_of_processor_time(const Toolchain& tools, const ConfinedResult& result)
 {
     return result.stopped == Stopped::out_of_processor_time ||
-           has_line_beginning(result.output, "g++: fatal error: CPU time limit exceeded signal terminated program ");
+           tells_of_processor_time(result.output, fs::path(tools.compiler).filename().string());
 }
 
 /// Was the compiler given less than it may take at most, which is all that is left?
@@ -125,7 +125,7 @@ Compilation look_through(const Toolchain& tools, const Exercise& exercise, const
 
 std::string diagnostics_of(const Toolchain& tools, const ConfinedCommand& command, const ConfinedResult& result)
 {
-    if (ran_out_of_processor_time(result) || result.stopped == Stopped::out_of_wall_time)
+    if (ran_out_of_processor_time(tools, result) || result.stopped == Stopped::out_of_wall_time)
         return out_of_time(tools, command);
     if (result.stopped == Stopped::too_much_disk)
         return fmt::format("compiling your files takes more than {} MiB on the disk\n", caps::build_folder >> 20U);
@@ -134,9 +134,10 @@ std::string diagnostics_of(const Toolchain& tools, const ConfinedCommand& comman
     return printable(text, caps::message);
 }
 
-Outcome outcome_of(const ConfinedResult& result, const Sources& files)
+Outcome outcome_of(const Toolchain& tools, const ConfinedResult& result, const Sources& files)
 {
-    if (ran_out_of_processor_time(result) || result.stopped == Stopped::too_much_disk) return Outcome::too_expensive;
+    if (ran_out_of_processor_time(tools, result) || result.stopped == Stopped::too_much_disk)
+        return Outcome::too_expensive;
     // What the machine lacks may also show as an error in a student's line.
     const bool is_theirs = linker_refuses_files(result.output) ||
                            (!mentions_machine_trouble(result.output) && blames_own_file(result.output, files));
@@ -151,7 +152,7 @@ Compilation library_of(const Toolchain& tools, const Exercise& exercise, const S
     const ConfinedCommand command = compiler_command(tools, exercise, files, work, task);
     ConfinedResult result = run_compiler(tools, command);
     // On a busy machine less may be counted of a process than it was stopped for.
-    if (tools.budget && was_given_the_rest(tools, command) && ran_out_of_processor_time(result))
+    if (tools.budget && was_given_the_rest(tools, command) && ran_out_of_processor_time(tools, result))
         tools.budget->take(tools.budget->left());
     if (result.exit_status == confinement_failed)
         throw std::runtime_error("the compiler cannot be run: " + result.output);
@@ -161,7 +162,7 @@ Compilation library_of(const Toolchain& tools, const Exercise& exercise, const S
         without_folders(std::move(result.output), {work, tools.framework, tools.student_header.parent_path()});
     if (result.exit_status != 0 || !fs::is_regular_file(fs::symlink_status(library))) {
         result.output = output;
-        compilation.outcome = outcome_of(result, files);
+        compilation.outcome = outcome_of(tools, result, files);
         compilation.lacks_machine = tools_are_in_trouble(result.output);
         compilation.diagnostics = diagnostics_of(tools, command, result);
     } else if (fs::file_size(library) > caps::library) {

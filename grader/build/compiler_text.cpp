@@ -4,6 +4,8 @@
 #include <cctype>
 #include <sstream>
 
+#include "build/machine_trouble.hpp"
+
 namespace umbral::grader {
 namespace {
 
@@ -55,6 +57,15 @@ std::string warnings_of(const std::string& output)
     for (std::string line; std::getline(stream, line);)
         if (line.find(": warning: ") != std::string::npos) kept += line + '\n';
     return kept;
+}
+
+bool tells_of_processor_time(std::string_view output, std::string_view compiler)
+{
+    for (const char* const kind : {"fatal error", "internal compiler error"})
+        if (has_line_beginning(
+                output, std::string(compiler) + ": " + kind + ": CPU time limit exceeded signal terminated program "))
+            return true;
+    return false;
 }
 
 bool blames_own_file(std::string_view output, const Sources& files)

@@ -15,6 +15,10 @@ namespace umbral::grader {
 /// The lines "sphere.cpp:3:5: warning: …".
 [[nodiscard]] std::string warnings_of(const std::string& output);
 
+/// Does the compiler of this name say that a process of its own was stopped by the limit of processor time? Its
+/// versions call that a fatal error, or one of the compiler's.
+[[nodiscard]] bool tells_of_processor_time(std::string_view output, std::string_view compiler);
+
 /// Does g++ output, as `without_folders` gives it, hold an error whose place is one of these files: "sphere.cpp:3:5:
 /// error: …"?
 [[nodiscard]] bool blames_own_file(std::string_view output, const Sources& files);

@@ -2,8 +2,21 @@
 
 #include <gtest/gtest.h>
 
+#include "build/compiler_text.hpp"
+
 namespace umbral::grader::test {
 namespace {
+
+// On a busy machine the clock counts less than the limit by which a process was stopped.
+TEST(ProcessorTime, that_ran_out_is_told_by_the_compiler_itself)
+{
+    const std::string words = "CPU time limit exceeded signal terminated program cc1plus\nPlease submit a report.\n";
+    EXPECT_TRUE(tells_of_processor_time("g++: fatal error: " + words, "g++"));
+    EXPECT_TRUE(tells_of_processor_time("warning\nc++: internal compiler error: " + words, "c++"));
+    EXPECT_FALSE(tells_of_processor_time("g++: fatal error: " + words, "c++")) << "not that compiler";
+    EXPECT_FALSE(tells_of_processor_time("sphere.cpp:1:2: error: #error g++: fatal error: " + words, "g++"));
+    EXPECT_FALSE(tells_of_processor_time("g++: fatal error: Killed signal terminated program cc1plus\n", "g++"));
+}
 
 TEST(MachineTrouble, what_a_tool_says_of_itself_is_believed)
 {
