@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kit/double_frame.hpp>
+#include <kit/gl_state.hpp>
 #include <string>
 #include <umbral/core/grid.hpp>
 #include <umbral/gl/opengl.hpp>
@@ -47,19 +48,6 @@ private:
 };
 
 /// A parameter of OpenGL's state, as a number to record.
-inline float state_of(GLenum name)
-{
-    GLint value = 0;
-    glGetIntegerv(name, &value);
-    return static_cast<float>(value);
-}
-
-/// How many of the first thousand names are names of vertex arrays, or of buffers.
-inline float living(GLboolean (*is_one)(GLuint))
-{
-    int count = 0;
-    for (GLuint name = 1; name <= 1000; ++name) count += is_one(name) == GL_TRUE ? 1 : 0;
-    return static_cast<float>(count);
-}
+inline float state_of(GLenum name) { return static_cast<float>(integer(name)); }
 
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <kit/gl_state.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/gl/framebuffer.hpp>
 #include <umbral/gl/opengl.hpp>
@@ -199,10 +200,9 @@ inline std::vector<float> state_row()
 inline int living_objects()
 {
     int count = 0;
-    for (GLuint name = 1; name <= 100; ++name)
-        for (auto* const is_one :
-             {glIsFramebuffer, glIsRenderbuffer, glIsTexture, glIsBuffer, glIsVertexArray, glIsProgram, glIsShader})
-            count += is_one(name) == GL_TRUE ? 1 : 0;
+    for (auto* const is_one :
+         {glIsFramebuffer, glIsRenderbuffer, glIsTexture, glIsBuffer, glIsVertexArray, glIsProgram, glIsShader})
+        count += living(is_one);
     return count;
 }
 

@@ -31,7 +31,7 @@ inline float attribute_enabled(GLuint attribute)
 /// What is alive of the tables' objects.
 inline void append_living(std::vector<float>& row)
 {
-    row.insert(row.end(), {living(glIsVertexArray), living(glIsBuffer)});
+    for (auto* const is_one : {glIsVertexArray, glIsBuffer}) row.push_back(static_cast<float>(living(is_one)));
 }
 
 /// A row for each use: what is bound once a drawing is made, and after the draw; what is seen, since who draws nothing

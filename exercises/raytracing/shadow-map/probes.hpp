@@ -1,6 +1,6 @@
 #pragma once
 
-#include <umbral/core/random.hpp>
+#include <kit/placement.hpp>
 
 #include "stage.hpp"
 
@@ -24,14 +24,6 @@ inline double distance_of(const MapLight& light, const glm::vec3& place)
 {
     const glm::dvec3 from(light.place);
     return light.place.w == 0 ? -dot(from, glm::dvec3(place)) : length(from - glm::dvec3(place));
-}
-
-/// Turned, stretched and moved.
-inline glm::mat4 random_placement(Random& random)
-{
-    glm::mat4 matrix = glm::translate(glm::mat4(1), 3.0F * random.in_cube());
-    matrix = glm::rotate(matrix, random.uniform(0, 6.28F), random.unit_vector());
-    return glm::scale(matrix, glm::vec3(1.1F) + 0.6F * random.in_cube());
 }
 
 /// A lamp or a sun, as often; its frustum is neither square nor, half of the time, symmetric. Of four one has near and

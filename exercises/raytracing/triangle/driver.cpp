@@ -15,26 +15,28 @@ using namespace raytracing;
 
 // All questions of a case lie at one place in memory, so that who keeps something for the next call, and knows the
 // triangle by its address, keeps what belongs to another.
-void record_all(Recorder& out, const std::vector<TriangleShot>& shots)
+template <class Each>
+void ask_all(Recorder& out, const std::vector<TriangleShot>& shots, const Each& each)
 {
     TriangleShot shot;
     for (const TriangleShot& next : shots) {
         shot = next;
-        const std::optional<TriangleHit> hit = ask<intersect_triangle>(out, shot.ray, shot.triangle);
-        out.append("t", hit ? std::optional(hit->t) : std::nullopt);
-        out.append("a", hit ? std::optional(hit->a) : std::nullopt);
-        out.append("b", hit ? std::optional(hit->b) : std::nullopt);
+        each(ask<intersect_triangle>(out, shot.ray, shot.triangle));
     }
 }
 
 void record(Recorder& out, const std::vector<TriangleShot>& shots)
 {
-    TriangleShot shot;
-    for (const TriangleShot& next : shots) {
-        shot = next;
-        const std::optional<TriangleHit> hit = ask<intersect_triangle>(out, shot.ray, shot.triangle);
+    ask_all(out, shots, [&](const auto& hit) { out.append("t", hit ? std::optional(hit->t) : std::nullopt); });
+}
+
+void record_all(Recorder& out, const std::vector<TriangleShot>& shots)
+{
+    ask_all(out, shots, [&](const auto& hit) {
         out.append("t", hit ? std::optional(hit->t) : std::nullopt);
-    }
+        out.append("a", hit ? std::optional(hit->a) : std::nullopt);
+        out.append("b", hit ? std::optional(hit->b) : std::nullopt);
+    });
 }
 
 // Answers that a student can check by hand, the course's first; each has a twin that passes beside the triangle.

@@ -1,19 +1,12 @@
 #pragma once
 
 #include <kit/magnitude.hpp>
+#include <kit/placement.hpp>
 
 #include "stage.hpp"
 
 /// Single points, and where they lie for a projector.
 namespace umbral::texturing {
-
-/// Turned, stretched and moved.
-inline glm::mat4 random_model(Random& random)
-{
-    glm::mat4 matrix = glm::translate(glm::mat4(1), 3.0F * random.in_cube());
-    matrix = glm::rotate(matrix, random.uniform(0, 6.28F), random.unit_vector());
-    return glm::scale(matrix, glm::vec3(1.1F) + 0.6F * random.in_cube());
-}
 
 inline Projector random_projector(Random& random)
 {
@@ -61,7 +54,7 @@ inline std::vector<Point> random_points(Random& random, int count)
         point.normal =
             glm::normalize(random.unit_vector() + 1.3F * glm::normalize(point.projector.position - point.place));
         point.color = glm::vec3(0.6F) + 0.35F * random.in_cube();
-        point.model = random_model(random);
+        point.model = random_placement(random);
         points.push_back(in_unit(point, random_unit(random, -10, 10)));
     }
     return points;

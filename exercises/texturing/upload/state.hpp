@@ -1,29 +1,14 @@
 #pragma once
 
 #include <array>
+#include <kit/gl_state.hpp>
 #include <string>
-#include <umbral/gl/opengl.hpp>
 #include <vector>
 
 /// What state OpenGL is in, and which objects there are.
 namespace umbral::texturing {
 
 inline constexpr int units = 16;
-
-inline GLint integer(GLenum name)
-{
-    GLint value = 0;
-    glGetIntegerv(name, &value);
-    return value;
-}
-
-/// How many of the first two hundred names are names of such objects.
-inline int living(GLboolean (*is_one)(GLuint))
-{
-    int count = 0;
-    for (GLuint name = 1; name <= 200; ++name) count += is_one(name) == GL_TRUE ? 1 : 0;
-    return count;
-}
 
 inline int living_textures() { return living(glIsTexture); }
 
