@@ -158,10 +158,9 @@ Compilation library_of(const Toolchain& tools, const Exercise& exercise, const S
         throw std::runtime_error("the compiler cannot be run: " + result.output);
     const fs::path library = work / library_name;
     Compilation compilation;
-    const std::string output =
+    result.output =
         without_folders(std::move(result.output), {work, tools.framework, tools.student_header.parent_path()});
     if (result.exit_status != 0 || !fs::is_regular_file(fs::symlink_status(library))) {
-        result.output = output;
         compilation.outcome = outcome_of(tools, result, files);
         compilation.lacks_machine = tools_are_in_trouble(result.output);
         compilation.diagnostics = diagnostics_of(tools, command, result);
@@ -170,7 +169,7 @@ Compilation library_of(const Toolchain& tools, const Exercise& exercise, const S
         compilation.diagnostics =
             fmt::format("your files compile to {} bytes; at most {} are taken", fs::file_size(library), caps::library);
     } else {
-        compilation = {Outcome::built, library, printable(warnings_of(output), caps::message)};
+        compilation = {Outcome::built, library, printable(warnings_of(result.output), caps::message)};
     }
     return compilation;
 }
@@ -182,7 +181,7 @@ Compilation checked_library_of(const Toolchain& tools, const Exercise& exercise,
 {
     for (const auto& [name, text] : files) write_text(work / name, text);
     if (has_no_time(tools)) return {Outcome::too_expensive, {}, no_time_to_compile()};
-    Compilation looked = look_through(tools, exercise, files, work);
+    const Compilation looked = look_through(tools, exercise, files, work);
     if (looked.outcome != Outcome::built && looked.outcome != Outcome::unexplained) return looked;
     for (const std::string& word :
          {std::string("-shared"), std::string("-fuse-ld=mold"), std::string("-Wl,--no-threads"),
@@ -198,8 +197,8 @@ Compilation checked_library_of(const Toolchain& tools, const Exercise& exercise,
     }
     // Nothing is run that was not looked through.
     if (looked.outcome == Outcome::unexplained && compilation.outcome == Outcome::built) {
-        looked.diagnostics = std::move(compilation.diagnostics);
-        return looked;
+        compilation.outcome = looked.outcome;
+        compilation.library.reset();
     }
     return compilation;
 }

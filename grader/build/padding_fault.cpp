@@ -66,6 +66,13 @@ bool is_of_a_loop(std::string_view line)
     return line.starts_with("goto <") || line.starts_with("if (D.") || line.starts_with("<D.");
 }
 
+/// An array within a value, as a loop over it names it.
+struct Array {
+    std::string pointer;  ///< "D.12", which goes from element to element
+    std::string base;     ///< "&t"
+    std::uint64_t begin = 0;
+};
+
 /// Reads one run of fills and loops over arrays.
 class Run {
 public:
@@ -79,10 +86,10 @@ public:
         }
         if (const auto one = assigned_sum(line)) {
             // "D.12 = &t + 8;", "_1 = D.12 + 128;", and "D.12 = D.12 + 32;" for the next element.
-            if (one->name.starts_with('_') && one->base == array_.name)
-                ends_.insert_or_assign(array_.base, array_.added + one->added);
+            if (one->name.starts_with('_') && one->base == array_.pointer)
+                ends_[array_.base] = array_.begin + one->added;
             else if (one->name != one->base)
-                array_ = {keep(one->name), keep(one->base), one->added};
+                array_ = {std::string(one->name), std::string(one->base), one->added};
             return true;
         }
         return is_of_a_loop(line);
@@ -92,17 +99,13 @@ public:
     void begin(bool fresh)
     {
         fresh_ = fresh;
-        texts_.clear();
         ends_.clear();
         array_ = {};
     }
 
 private:
-    std::string_view keep(std::string_view text) { return texts_.emplace(text, 0).first->first; }
-
-    std::map<std::string, int, std::less<>> texts_;
-    std::map<std::string_view, std::uint64_t> ends_;  ///< of the last array of each value
-    Sum array_{};
+    std::map<std::string, std::uint64_t, std::less<>> ends_;  ///< of the last array of each value
+    Array array_;
     bool fresh_ = false;
     bool fault_ = false;
 };
@@ -127,8 +130,9 @@ bool has_padding_fault(std::istream& lowered)
 bool padding_fault_in(const fs::path& folder)
 {
     for (const auto& entry : fs::directory_iterator(folder)) {
+        if (entry.path().extension() != ".lower") continue;
         std::ifstream lowered(entry.path());
-        if (entry.path().extension() == ".lower" && has_padding_fault(lowered)) return true;
+        if (has_padding_fault(lowered)) return true;
     }
     return false;
 }

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <optional>
+#include <cstddef>
 #include <vector>
 
 #include "judge/explain/likeness.hpp"
@@ -24,27 +23,14 @@ constexpr double enough = 0.5;
 /// not.
 constexpr double least_of_calls = 0.5;
 
-/// 1 where a pixel is not the background's, which the first one is.
-std::vector<double> outline(const Tensor& picture)
+/// A picture of 1 where a pixel is not the background's, which the first one is, and 0 elsewhere.
+Tensor outline(const Tensor& picture)
 {
     const TensorView view(picture);
-    std::vector<double> inside(view.cells());
-    for (std::size_t i = 0; i < inside.size(); ++i)
-        inside[i] = std::ranges::equal(view.cell(i), view.cell(0)) ? 0.0 : 1.0;
+    Tensor inside{Element::uint8, picture.rows, picture.columns, 1, {}, {}};
+    for (std::size_t i = 0; i < view.cells(); ++i)
+        inside.bytes.push_back(std::byte{!std::ranges::equal(view.cell(i), view.cell(0))});
     return inside;
-}
-
-/// The correlation of two outlines; 0 where one of them is empty, or all there is.
-double common_outline(const Tensor& a, const Tensor& b)
-{
-    const std::vector<double> mine = outline(a);
-    const std::vector<double> other = outline(b);
-    const auto count = static_cast<double>(mine.size());
-    const double here = std::reduce(mine.begin(), mine.end()) / count;
-    const double there = std::reduce(other.begin(), other.end()) / count;
-    const double both = std::inner_product(mine.begin(), mine.end(), other.begin(), 0.0) / count;
-    const double spread = std::sqrt(here * (1 - here) * there * (1 - there));
-    return spread > 0 ? (both - here * there) / spread : 0.0;
 }
 
 /// The share of a check's points that what hangs on it may earn: its own, or more if its picture has much in common
@@ -53,14 +39,15 @@ double share_of(Worker& worker, const Exercise& exercise, const Check& check, co
                 const CheckResult& earned)
 {
     const double share = static_cast<double>(earned.score) / static_cast<double>(check.points);
-    if (judge_of(check).look == Look::none || check.relation) return share;
+    if (share >= 1 || judge_of(check).look == Look::none || check.relation) return share;
     const RunOutcome& run = worker.trusted(exercise, judged_against(check), check.case_name, one.seed);
     const Tensor* const mine = observed(check, one.student);
     const Tensor* const right = expected_of(check, run).value;
     if (mine == nullptr || right == nullptr || !well_formed(*mine) || right->cells() == 0 ||
         shape_error(check, *mine, *right))
         return share;
-    const double drawn = std::max(likeness(check, *mine, *right).value_or(0), common_outline(*mine, *right));
+    const double drawn = std::max(likeness(check, *mine, *right).value_or(0),
+                                  likeness(check, outline(*mine), outline(*right)).value_or(0));
     return std::max(share, std::min(drawn / enough, 1.0));
 }
 

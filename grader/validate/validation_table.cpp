@@ -93,13 +93,14 @@ std::string validation_table(std::span<const Finding> findings, std::span<const 
 {
     const auto units = by_unit(findings);
     std::string text =
-        "# What each mistake gets\n\nMade by `umbral validate --table docs/mistakes.md`, with at least one seed. "
-        "Credit "
-        "is a share of the unit's points, from the\n"
+        "# What each mistake gets\n\n"
+        "Made by `umbral validate --table docs/mistakes.md`, with at least one seed. Credit is a share of the unit's "
+        "points, from the\n"
         "lowest to the highest over the seeds; \"hard cases\" is the share of the points of the checks that are judged "
         "against the\n"
         "oracle. Where a scene cannot show a mistake, so that its picture equals the expected one bit by bit, a line "
-        "below the\ntable says so; other checks then tell.\n";
+        "below the\n"
+        "table says so; other checks then tell.\n";
     for (const Exercise& exercise : exercises) {
         const auto found = units.find(exercise.id);
         if (found == units.end()) continue;
