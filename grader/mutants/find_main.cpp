@@ -2,8 +2,10 @@
 // JSON. It links libclang, which nothing else needs, and reads students' files too: it runs confined.
 
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <vector>
 
 #include "mutants/find_mutants.hpp"
 
@@ -11,15 +13,15 @@ int main(int count, char** words)
 try {
     using namespace umbral::grader;
     const std::string_view family = count > 1 && std::string_view(words[1]).starts_with("--") ? words[1] : "";
-    const auto find = family == "--slips"     ? find_slips
-                      : family == "--repairs" ? find_repairs
-                      : family == "--idle"    ? find_idle
-                                              : find_mutants;
+    const std::map<std::string_view, std::vector<Mutant> (*)(const Syntax&)> finders{
+        {"", find_mutants}, {"--slips", find_slips}, {"--repairs", find_repairs}, {"--idle", find_idle}};
+    const auto find = finders.find(family);
     const int file = family.empty() ? 1 : 2;
-    if (count <= file) throw std::runtime_error("usage: umbral-mutate [--slips | --repairs | --idle] FILE FLAG…");
+    if (count <= file || find == finders.end())
+        throw std::runtime_error("usage: umbral-mutate [--slips | --repairs | --idle] FILE FLAG…");
     const Syntax syntax = parse(words[file], {words + file + 1, words + count});
     nlohmann::json list = nlohmann::json::array();
-    for (const Mutant& mutant : find(syntax))
+    for (const Mutant& mutant : find->second(syntax))
         list.push_back({{"number", mutant.number},
                         {"form", static_cast<int>(mutant.form)},
                         {"begin", mutant.begin},

@@ -25,7 +25,7 @@ IdleUnit try_idle(Worker& worker, const std::filesystem::path& finder, const Exe
         const BuiltMutants built =
             build_mutants(tools, exercise, MutantFamily::idle, finder, read_text(source), work.path());
         GradeOptions options;
-        options.seeds = {"validate", "validate", "validate", seed, "validate"};
+        options.seeds = validation_seeds(seed);
         options.explain = options.questions = false;
         const UnitResult result = grade_built(worker, exercise, built_with(built.library, all_mutants), options);
         idle.credit = 100 * points(result.score) / points(exercise.points);

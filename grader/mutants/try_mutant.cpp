@@ -25,7 +25,7 @@ Trial graded(Worker& worker, const Exercise& exercise, const Built& built, const
 Trial try_mutant(Worker& worker, const Exercise& exercise, const std::filesystem::path& library, unsigned number,
                  const std::vector<std::string>& cases, unsigned seed)
 {
-    const SeedPlan seeds{"validate", "validate", "validate", seed, "validate"};
+    const SeedPlan seeds = validation_seeds(seed);
     const Built built = built_with(library, number);
     bool borderline = false;
     for (const std::string& name : cases) {

@@ -37,6 +37,13 @@ struct SeedPlan {
                                                                        const std::string& case_name) const;
 };
 
+/// What known solutions are graded with, those of one number with the same hidden inputs: the trusted runs of one serve
+/// the next.
+[[nodiscard]] inline SeedPlan validation_seeds(unsigned number)
+{
+    return {"validate", "validate", "validate", number, "validate"};
+}
+
 /// Seeds of practice inputs of a hidden case, from place 0 on: they follow from no secret and are the same for
 /// everybody, so that what is said of answers to them tells nothing about those that are graded.
 [[nodiscard]] std::uint64_t practice_seed(const Exercise& exercise, const std::string& case_name, std::size_t place);

@@ -138,6 +138,9 @@ void add_validate(Command command, Application& application)
         .called("FILE");
     command.runs([&application, options] {
         if (options->mutants && options->slips) throw UsageError("--mutants and --slips: one after the other");
+        if (options->idle && (options->mutants || options->slips || options->json || !options->markdown.empty() ||
+                              !options->table.empty()))
+            throw UsageError("--idle goes with --jobs and --quiet only");
         if (options->idle) return validate_idle(application, options->units, options->jobs, options->quiet);
         if (options->mutants || options->slips)
             return validate_mutants(application,
