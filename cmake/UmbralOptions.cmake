@@ -72,6 +72,11 @@ endif()
 
 # A fused multiply-add rounds once where the source says twice: results would depend on the compiler's mood.
 add_compile_options(-ffp-contract=${UMBRAL_FP_CONTRACT})
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # g++ collects its garbage less often: a tenth to a quarter of the time of large files, for a third more memory (1.1
+  # GB instead of 0.8 at most).
+  add_compile_options("SHELL:--param ggc-min-expand=400" "SHELL:--param ggc-min-heapsize=1000000")
+endif()
 if(UMBRAL_FP_CONTRACT STREQUAL "fast")
   add_compile_options(-mfma)
 endif()

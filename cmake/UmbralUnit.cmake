@@ -27,7 +27,9 @@ set(UMBRAL_REFERENCE_ROOT ${PROJECT_SOURCE_DIR}/reference)
 # The units whose mistakes and tests `all` leaves out.
 list(TRANSFORM UMBRAL_WHOLE_UNITS APPEND "/exercise.json" OUTPUT_VARIABLE whole_units)
 list(TRANSFORM whole_units PREPEND ${UMBRAL_EXERCISES_ROOT}/)
-file(GLOB whole_units CONFIGURE_DEPENDS RELATIVE ${UMBRAL_EXERCISES_ROOT} ${whole_units})
+if(whole_units)
+  file(GLOB whole_units CONFIGURE_DEPENDS RELATIVE ${UMBRAL_EXERCISES_ROOT} ${whole_units})
+endif()
 file(GLOB UMBRAL_PARTIAL_UNITS CONFIGURE_DEPENDS RELATIVE ${UMBRAL_EXERCISES_ROOT}
   ${UMBRAL_EXERCISES_ROOT}/*/*/exercise.json)
 list(REMOVE_ITEM UMBRAL_PARTIAL_UNITS "" ${whole_units})

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <string>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
-#include <umbral/record/ask.hpp>
+#include <umbral/record/ask_inputs.hpp>
+#include <umbral/record/recorder.hpp>
+#include <vector>
 
 /// Shaders at single points: each is drawn as one pixel of its own, without a triangle, so without interpolation.
 namespace umbral {
@@ -42,11 +43,19 @@ void draw_single_points(int count, Prepare prepare)
     glDeleteVertexArrays(1, &array);
 }
 
-/// "name = value", as what a shader is given is written in questions.
-template <class Value>
-std::string uniform_line(const char* name, const Value& value)
+/// What `program`, "the shaders", say, answers at single points, each a question that begins with heading(point):
+/// answers(points) holds one for each.
+template <class Point, class Heading, class Answers>
+void record_single_points(Recorder& out, std::string_view name, std::string_view program,
+                          const std::vector<Point>& points, const Heading& heading, const Answers& answers)
 {
-    return std::string(name) + " = " + literal::of_value(value, true, {}) + "\n";
+    std::vector<Point> asked;
+    for (const Point& point : points) asked.push_back(inputs_asked(out, program, point));
+    const auto answered = answers(asked);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        ask_inputs(out, program, points[i], heading(points[i]));
+        out.append(name, answered[i]);
+    }
 }
 
 }

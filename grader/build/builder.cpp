@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -17,6 +16,7 @@
 #include "build/check_names.hpp"
 #include "build/compile.hpp"
 #include "build/inspection.hpp"
+#include "build/keeps_nothing.hpp"
 #include "build/offered.hpp"
 #include "model/caps.hpp"
 #include "model/digest.hpp"
@@ -35,7 +35,7 @@ namespace fs = std::filesystem;
 std::string content_key(const Toolchain& tools, const Exercise& exercise, const Sources& files)
 {
     const fs::path header = tools.student_header.string() + ".gch";
-    std::string all = fmt::format("13\n{}\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.digest, exercise.gl,
+    std::string all = fmt::format("14\n{}\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.digest, exercise.gl,
                                   exercise.gl_calls, exercise.glfw, exercise.counts_work, tools.compiler,
                                   fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
     all += fmt::format("{} {}\n", fs::file_size(header), fs::last_write_time(header).time_since_epoch().count());
@@ -161,18 +161,6 @@ void prune_now_and_then(const Toolchain& tools)
     if (builds++ % builds_between == 0) prune_builds(tools.cache, tools.cache_bytes);
 }
 
-/// Has the library nowhere to keep something from one call to the next? Not in variables of its own, nor in those of
-/// the C library's functions that remember.
-bool has_nowhere_to_keep(const Inspection& inspection)
-{
-    const auto remembers = [](const InspectedSymbol& symbol) {
-        constexpr std::array words{"rand", "48", "state", "strtok"};
-        return std::ranges::any_of(words,
-                                   [&](const char* word) { return symbol.name.find(word) != std::string::npos; });
-    };
-    return inspection.own_memory == 0 && std::ranges::none_of(inspection.undefined, remembers);
-}
-
 /// Sets the verdict on a library by what is in it. False if it could not be read.
 bool look_at(const Toolchain& tools, const Exercise& exercise, const fs::path& library, Built& built)
 {
@@ -187,7 +175,7 @@ bool look_at(const Toolchain& tools, const Exercise& exercise, const fs::path& l
     const auto objection = object_to(*inspection, offered_to(tools, exercise), exercise);
     built.verdict = objection ? objection->verdict : Verdict::ok;
     if (objection) built.message = printable(objection->message, caps::message);
-    built.keeps_nothing = has_nowhere_to_keep(*inspection);
+    built.keeps_nothing = keeps_nothing(*inspection);
     return true;
 }
 

@@ -27,6 +27,15 @@ constexpr double most_processes = 4;
 /// So many times as long as it computes may it take: a loaded machine is nobody's fault.
 constexpr double busy_machine = 4;
 
+/// Why files were not compiled for which no time was left: for the student.
+std::string no_time_to_compile()
+{
+    return fmt::format(
+        "not compiled since compiling takes too long: each unit may take {:g} s of processor time, and all units of a "
+        "submission together {:g} s more, which are used up\n",
+        caps::compile_seconds, caps::shared_compile_seconds);
+}
+
 /// Runs the compiler, and counts what it took. One that was stopped for that has taken all that it might, one that
 /// waited without end the time for which it was let wait.
 ConfinedResult run_compiler(const Toolchain& tools, const ConfinedCommand& command)
@@ -118,16 +127,23 @@ Compilation look_through(const Toolchain& tools, const Exercise& exercise, const
         return {Outcome::refused_by_compiler, {}, "your files include more text than the compiler is given"};
     if (result.exit_status != 0)
         return {Outcome::unexplained, {}, "your files cannot be looked through before they are compiled"};
+    // What no compiler takes might hide what one does take.
+    if (auto unclosed = find_unclosed(result.output)) return {Outcome::refused_by_compiler, {}, *std::move(unclosed)};
     if (auto assembler = find_assembler(result.output, tools.student_header.string() + ".gch"))
         return {Outcome::not_allowed, {}, *std::move(assembler)};
     return {Outcome::built, {}, ""};
+}
+
+bool takes_too_much_disk(const ConfinedResult& result)
+{
+    return result.stopped == Stopped::too_much_disk || outgrew_the_file_limit(result.output);
 }
 
 std::string diagnostics_of(const Toolchain& tools, const ConfinedCommand& command, const ConfinedResult& result)
 {
     if (ran_out_of_processor_time(tools, result) || result.stopped == Stopped::out_of_wall_time)
         return out_of_time(tools, command);
-    if (result.stopped == Stopped::too_much_disk)
+    if (takes_too_much_disk(result))
         return fmt::format("compiling your files takes more than {} MiB on the disk\n", caps::build_folder >> 20U);
     std::string text = first_errors(result.output, 24);
     if (text.empty()) text = first_errors(": error:\n" + result.output, 24).substr(9);
@@ -136,8 +152,7 @@ std::string diagnostics_of(const Toolchain& tools, const ConfinedCommand& comman
 
 Outcome outcome_of(const Toolchain& tools, const ConfinedResult& result, const Sources& files)
 {
-    if (ran_out_of_processor_time(tools, result) || result.stopped == Stopped::too_much_disk)
-        return Outcome::too_expensive;
+    if (ran_out_of_processor_time(tools, result) || takes_too_much_disk(result)) return Outcome::too_expensive;
     // What the machine lacks may also show as an error in a student's line.
     const bool is_theirs = linker_refuses_files(result.output) ||
                            (!mentions_machine_trouble(result.output) && blames_own_file(result.output, files));
@@ -174,8 +189,7 @@ Compilation library_of(const Toolchain& tools, const Exercise& exercise, const S
     return compilation;
 }
 
-/// Looks through the files, and has the compiler make a library of them by this task; once more, with variables left
-/// unfilled, where filling them would overwrite what the files wrote.
+/// Looks through the files, and has the compiler make a library of them by this task.
 Compilation checked_library_of(const Toolchain& tools, const Exercise& exercise, const Sources& files,
                                const fs::path& work, const std::string& library_name, std::vector<std::string> task)
 {
@@ -187,14 +201,15 @@ Compilation checked_library_of(const Toolchain& tools, const Exercise& exercise,
          {std::string("-shared"), std::string("-fuse-ld=mold"), std::string("-Wl,--no-threads"),
           std::string("-Wl,--no-fork"), std::string("-Wl,-z,lazy"), std::string("-o"), library_name})
         task.push_back(word);
-    const Toolchain unfilled = without_filling(tools);
-    const bool fills = unfilled.flags != tools.flags;
-    if (fills) task.emplace_back(dump_for_padding_fault);
-    Compilation compilation = library_of(tools, exercise, files, work, library_name, task);
-    if (fills && compilation.outcome == Outcome::built && padding_fault_in(work)) {
-        fs::remove(*compilation.library);
-        compilation = library_of(unfilled, exercise, files, work, library_name, task);
-    }
+    const auto make = [&](const Toolchain& with, const std::vector<std::string>& more) {
+        // A library that lies there would tell the files that they are compiled once more.
+        fs::remove(work / library_name);
+        std::vector<std::string> all = task;
+        all.insert(all.end(), more.begin(), more.end());
+        return library_of(with, exercise, files, work, library_name, all);
+    };
+    Compilation compilation =
+        compiled_as_written(tools, work, make, [](const Compilation& one) { return one.outcome == Outcome::built; });
     // Nothing is run that was not looked through.
     if (looked.outcome == Outcome::unexplained && compilation.outcome == Outcome::built) {
         compilation.outcome = looked.outcome;

@@ -38,8 +38,8 @@ std::string first_errors(std::string_view output, std::size_t lines)
     bool relevant = false;
     for (std::string line; std::getline(stream, line);) {
         // A message begins a block ("sphere.cpp:3:5: error: …"); source lines and notes follow it.
-        if (line.find(": error:") != std::string::npos || line.find("undefined reference") != std::string::npos ||
-            line.find("duplicate symbol") != std::string::npos)
+        if (line.find(": error:") != std::string::npos || line.find(": Error: ") != std::string::npos ||
+            line.find("undefined reference") != std::string::npos || line.find("duplicate symbol") != std::string::npos)
             relevant = true;
         else if (line.find(": warning:") != std::string::npos)
             relevant = false;

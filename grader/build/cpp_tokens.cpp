@@ -23,6 +23,12 @@ bool is_name_start(char c)
 
 bool is_name(char c) { return is_name_start(c) || is_digit(c); }
 
+/// What a ' between digits may stand before: of names only letters of ASCII, and no $.
+bool is_behind_separator(char c) { return is_name(c) && c != '$' && static_cast<unsigned char>(c) < 0x80; }
+
+/// "\U0001F600" with its first quote; what is longer is none.
+constexpr std::size_t longest_character = 12;
+
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r'; }
 
 /// Is this what may stand before a string's first quote: L, u, U, u8, each with an R for a raw one?
@@ -79,7 +85,7 @@ CppToken CppTokens::next()
         const auto goes_on = [&] {
             const char before = at(size - 1);
             const bool exponent = before == 'e' || before == 'E' || before == 'p' || before == 'P';
-            return is_name(at(size)) || at(size) == '.' || (at(size) == '\'' && is_name(at(size + 1))) ||
+            return is_name(at(size)) || at(size) == '.' || (at(size) == '\'' && is_behind_separator(at(size + 1))) ||
                    (exponent && (at(size) == '+' || at(size) == '-'));
         };
         while (size < text_.size() && goes_on()) ++size;
@@ -127,7 +133,11 @@ CppToken CppTokens::take_string(std::size_t prefix)
     std::size_t end = prefix + 1;
     while (end < text_.size() && text_[end] != quote && text_[end] != '\n')
         end += text_[end] == '\\' && at(end + 1) != '\n' ? 2U : 1U;
-    if (at(end) == quote) ++end;
+    const bool closed = at(end) == quote;
+    // A character is one, an escape, or up to four that make a number.
+    const bool fits = quote == '"' || end - prefix <= longest_character;
+    if (closed) ++end;
+    if (!closed || !fits) return take(CppToken::Kind::broken, end);
     return take(quote == '"' ? CppToken::Kind::string : CppToken::Kind::other, end);
 }
 
@@ -138,7 +148,8 @@ CppToken CppTokens::take_raw_string(std::size_t prefix)
     if (parenthesis == std::string_view::npos || parenthesis > prefix + 17) return take_string(prefix);
     const std::string closing = fmt::format("){}\"", text_.substr(prefix + 1, parenthesis - prefix - 1));
     const std::size_t end = text_.find(closing, parenthesis);
-    return take(CppToken::Kind::string, end == std::string_view::npos ? text_.size() : end + closing.size());
+    return end == std::string_view::npos ? take(CppToken::Kind::broken, text_.size())
+                                         : take(CppToken::Kind::string, end + closing.size());
 }
 
 void CppTokens::follow_marker(std::string_view line)

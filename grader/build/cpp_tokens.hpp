@@ -7,7 +7,8 @@ namespace umbral::grader {
 
 /// A token of preprocessed C++.
 struct CppToken {
-    enum class Kind { end, name, string, number, other, directive };
+    /// Broken: a string or a character that is not closed, or a character of many letters, which no compiler takes.
+    enum class Kind { end, name, string, number, other, directive, broken };
     Kind kind = Kind::end;
     std::string_view text;  ///< as written, but of a digraph what it stands for; of a directive the whole line
     /// Of a string the characters between the quotes, as written; a raw string's characters, too.

@@ -28,6 +28,12 @@ std::string below_include(const std::string& path)
 /// Does this function's name lie in GLM's headers?
 bool is_of_glm(std::string_view header) { return header.starts_with("glm/"); }
 
+/// What GLM's functions are made of where it uses the processor's vectors, "glm_vec4_dot", which it does only if it is
+/// told to: where any of GLM's functions is forbidden, these are.
+bool is_underneath(std::string_view header) { return header.starts_with("glm/simd/"); }
+
+bool is_about_glm(std::string_view entry) { return entry.starts_with("glm::") || forbidden_family(entry) != nullptr; }
+
 std::string sentence(std::string_view name, const ForbiddenFamily* family)
 {
     if (family == nullptr)
@@ -88,6 +94,9 @@ std::optional<std::string> find_forbidden(const Inspection& inspection, const st
                 continue;
             return sentence(name, family);
         }
+        if (const auto about = std::ranges::find_if(forbid, is_about_glm);
+            is_underneath(header) && about != forbid.end())
+            return sentence(name, forbidden_family(*about));
         if (of_glm && !renamed && !headers.declares(function))
             renamed = fmt::format(
                 "{} is a function of GLM's by another name ({}:{}): its headers are to be read as "

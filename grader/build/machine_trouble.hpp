@@ -15,6 +15,9 @@ namespace umbral::grader {
 /// Does the linker refuse what the files define or want: "mold: error: duplicate symbol: …"? Any other machine would.
 [[nodiscard]] bool linker_refuses_files(std::string_view output);
 
+/// Was the compiler, its assembler or its linker ended since a file that it wrote grew beyond what one may?
+[[nodiscard]] bool outgrew_the_file_limit(std::string_view output);
+
 /// Does a line end with such a sign that one of the tools prints of itself, "collect2: fatal error: …" or "  what():
 /// …", and not of a student's file, nor in a quoted line of it, nor with a name out of it? Then the files are not at
 /// fault. A tool that was killed is no such sign: files may take all the memory that there is.

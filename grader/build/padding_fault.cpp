@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "model/random_text.hpp"
+
 namespace umbral::grader {
 namespace {
 
@@ -127,14 +129,26 @@ bool has_padding_fault(std::istream& lowered)
     return run.fault();
 }
 
-bool padding_fault_in(const fs::path& folder)
+LoweredText::LoweredText(const fs::path& work) : folder_(work / random_text()) { fs::create_directory(folder_); }
+
+LoweredText::~LoweredText()
 {
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        if (entry.path().extension() != ".lower") continue;
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+}
+
+std::vector<std::string> LoweredText::options() const
+{
+    return {"-fdump-tree-lower", "-dumpdir", folder_.filename().string() + "/"};
+}
+
+bool LoweredText::has_padding_fault() const
+{
+    return std::ranges::any_of(fs::directory_iterator(folder_), [](const fs::directory_entry& entry) {
+        if (entry.path().extension() != ".lower") return false;
         std::ifstream lowered(entry.path());
-        if (has_padding_fault(lowered)) return true;
-    }
-    return false;
+        return grader::has_padding_fault(lowered);
+    });
 }
 
 Toolchain without_filling(Toolchain tools)

@@ -24,11 +24,15 @@ constexpr std::array<std::string_view, 3> asm_words{"asm", "__asm", "__asm__"};
 constexpr std::array<std::string_view, 7> asm_qualifiers{"volatile",   "__volatile", "__volatile__", "inline",
                                                          "__inline__", "goto",       "const"};
 
-/// Instructions that <immintrin.h> of GCC 12 writes as assembler, for lack of builtins.
-constexpr std::array<std::string_view, 4> compilers_own{"pconfig", "encls", "enclu", "enclv"};
+/// Instructions that <immintrin.h> of GCC 12 writes as assembler, for lack of builtins; and two with what they read or
+/// write.
+constexpr std::array<std::string_view, 5> compilers_own{"pconfig", "encls", "enclu", "enclv", "tilerelease"};
+constexpr std::array<std::string_view, 2> compilers_own_texts{"ldtilecfg\\t%X0", "sttilecfg\\t%X0"};
 
-/// Attributes whose arguments or effects no unit needs: text for the assembler, code without its instrumentation.
-constexpr std::array<std::string_view, 8> attributes{"section",
+/// Attributes whose arguments or effects no unit needs: text for the assembler, code without its instrumentation,
+/// variables that are left unfilled.
+constexpr std::array<std::string_view, 9> attributes{"section",
+                                                     "uninitialized",
                                                      "symver",
                                                      "naked",
                                                      "no_sanitize",
@@ -42,6 +46,27 @@ constexpr std::array<std::string_view, 3> naming_attributes{"alias", "ifunc", "w
 /// What the linker makes: from these, a program that walks its own tables finds all libraries and what they define.
 constexpr std::array<std::string_view, 5> linkers_own{"_GLOBAL_OFFSET_TABLE_", "_PROCEDURE_LINKAGE_TABLE_", "_DYNAMIC",
                                                       "__ehdr_start", "__executable_start"};
+
+constexpr const char* left_unfilled = "variables may not be left unfilled";
+
+/// Does a text for the optimiser, of an attribute or a pragma, leave variables unfilled? What is spelt with escapes
+/// may.
+bool unfills(std::string_view options)
+{
+    std::string plain(options);
+    std::erase_if(plain, [](char c) { return c == '"' || c == ' ' || c == '\t'; });
+    return plain.find("auto-var-init") != plain.npos || plain.find('\\') != plain.npos;
+}
+
+/// What the strings in a line say, one behind the other, raw ones too; and the line as it is.
+std::string strings_of(std::string_view line)
+{
+    std::string text;
+    CppTokens tokens(line);
+    for (CppToken token = tokens.next(); token.kind != Kind::end; token = tokens.next())
+        if (token.kind == Kind::string) text += token.content();
+    return text + '\n' + std::string(line);
+}
 
 /// Names that may stand before an assembler statement: before a label there is a declaration, with other names.
 constexpr std::array<std::string_view, 13> before_statements{
@@ -146,7 +171,8 @@ private:
         std::string text;
         for (advance(); current_.kind == Kind::string; advance()) text += current_.content();
         const bool label = behind_a_name && current_.text == ")" && is_plain_name(text);
-        if (!label && !contains(compilers_own, first_word(text))) object("assembler is not allowed");
+        const bool is_own = contains(compilers_own, first_word(text)) || contains(compilers_own_texts, text);
+        if (!label && !is_own) object("assembler is not allowed");
         if (label && contains(linkers_own, text)) object_to_table(text);
     }
 
@@ -170,6 +196,7 @@ private:
             else if (current_.kind != Kind::directive)
                 text.clear();
             if (contains(linkers_own, text)) return object_to_table(text);
+            if (named == "optimize" && unfills(text)) return object(left_unfilled);
             if (current_.kind == Kind::string && contains(naming_attributes, named) &&
                 !is_plain_name(current_.content()))
                 return object(fmt::format("the attribute {} takes a plain name", named));
@@ -190,7 +217,11 @@ private:
         const std::string_view kind = word();
         const bool marker = !kind.empty() && kind.front() >= '0' && kind.front() <= '9';
         if (kind == "pragma") {
-            if (word() == "GCC" && word() == "pch_preprocess" && line != fmt::format(" \"{}\"", header_))
+            const std::string_view whose = word();
+            const std::string_view what = word();
+            if (whose == "GCC" && what.starts_with("optimize") && unfills(strings_of(line)))
+                return object(left_unfilled);
+            if (whose == "GCC" && what == "pch_preprocess" && line != fmt::format(" \"{}\"", header_))
                 return object("a precompiled header of your own is not allowed");
         } else if (!marker && kind != "line" && !kind.empty()) {
             return object(fmt::format("the directive #{} is not allowed", one_line(kind, 32)));
@@ -208,6 +239,15 @@ private:
     std::optional<std::string> found_;
 };
 
+}
+
+std::optional<std::string> find_unclosed(std::string_view text)
+{
+    CppTokens tokens(text);
+    for (CppToken token = tokens.next(); token.kind != Kind::end; token = tokens.next())
+        if (token.kind == Kind::broken)
+            return fmt::format("{}: error: a character or a string that is not closed in its line", tokens.place());
+    return std::nullopt;
 }
 
 std::optional<std::string> find_assembler(std::string_view text, std::string_view header)

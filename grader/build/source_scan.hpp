@@ -6,6 +6,11 @@
 
 namespace umbral::grader {
 
+/// The first character or string of preprocessed C++ that is not closed in its line, or a character of many letters,
+/// with its place: no compiler takes it, and what is read from there on might be read otherwise. Linear in the size of
+/// the text.
+[[nodiscard]] std::optional<std::string> find_unclosed(std::string_view text);
+
 /// Looks through preprocessed C++ for what would reach the assembler as text: inline and top-level assembler,
 /// attributes and directives whose strings the compiler writes out as they are, and attributes that switch
 /// instrumentation off. With those, a file could write debug information of its own, rename or hide what it calls, or

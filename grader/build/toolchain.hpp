@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "build/compile_budget.hpp"
 #include "collect/submitted_files.hpp"
+#include "model/time_budget.hpp"
 
 namespace umbral::grader {
 

@@ -82,10 +82,10 @@ struct CheckedUnit {
 };
 
 CheckedUnit check_unit(Worker& worker, const Exercise& exercise, const Handed& handed, const CheckPlan& plan,
-                       const fs::path& workspace, const std::shared_ptr<CompileBudget>& compile_budget)
+                       const fs::path& workspace, const SubmissionBudgets& budgets)
 {
     GradeOptions options;
-    options.compile_budget = compile_budget;
+    options.budgets = budgets;
     options.seeds.attempt = plan.attempt;
     options.explain = plan.explain;
     options.relative_to = workspace;
@@ -124,7 +124,7 @@ Checked check_submission(Crew& crew, const std::vector<Exercise>& exercises, con
     if (!plan.fresh) crew.keep_runs(keys);
 
     std::vector<CheckedUnit> parts(exercises.size());
-    const auto compile_budget = std::make_shared<CompileBudget>();
+    const SubmissionBudgets budgets = budgets_of_a_submission();
     crew.share_out(exercises.size(), [&](Worker& worker, std::size_t i) {
         const Exercise& exercise = exercises[i];
         const Handed handed = collect(submitted, exercise);
@@ -134,7 +134,7 @@ Checked check_submission(Crew& crew, const std::vector<Exercise>& exercises, con
             parts[i] = {std::move(last->unit.result), std::move(last->section), true};
             return;
         }
-        parts[i] = check_unit(worker, exercise, handed, plan, workspace, compile_budget);
+        parts[i] = check_unit(worker, exercise, handed, plan, workspace, budgets);
         const UnitResult& result = parts[i].result;
         mark_used(entry_of(runs_folder(tools.cache), keys->of_unit(exercise)));
         const bool lasting = result.settled && result.verdict != Verdict::grader_fault;

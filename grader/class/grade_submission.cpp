@@ -31,11 +31,10 @@ UnitResult fault_of(const Exercise& exercise, const std::string& what)
 }
 
 Part grade_part(Worker& worker, const SubmissionPlan& plan, const Exercise& exercise, const Handed& handed,
-                const std::string& student, const fs::path& folder,
-                const std::shared_ptr<CompileBudget>& compile_budget)
+                const std::string& student, const fs::path& folder, const SubmissionBudgets& budgets)
 {
     GradeOptions options;
-    options.compile_budget = compile_budget;
+    options.budgets = budgets;
     options.seeds.secret = plan.secret;
     options.seeds.course = plan.plan.grading.course;
     options.seeds.student = student;
@@ -117,7 +116,7 @@ Graded grade_submission(Crew& crew, const SubmissionPlan& plan, const Submission
     }
     std::vector<Part> parts(plan.exercises.size());
     std::vector<std::string> changes(parts.size());
-    const auto compile_budget = std::make_shared<CompileBudget>();
+    const SubmissionBudgets budgets = budgets_of_a_submission();
     std::mutex mutex;
     crew.share_out(parts.size(), [&](Worker& worker, std::size_t i) {
         const Exercise& exercise = plan.exercises[i];
@@ -132,7 +131,7 @@ Graded grade_submission(Crew& crew, const SubmissionPlan& plan, const Submission
             }
         Part& part = parts[i];
         if (submitted) {
-            part = grade_part(worker, plan, exercise, handed, submission.id, folder, compile_budget);
+            part = grade_part(worker, plan, exercise, handed, submission.id, folder, budgets);
         } else {
             part.unit.machine = machine_digest(plan.plan.fingerprint);
             part.unit.result = fault_of(exercise, trouble);

@@ -77,8 +77,9 @@ void print_answer(const Paint& paint, const char* whose, Tone tone, const Answer
     fmt::print("{}{}\n", paint(Tone::quiet, fmt::format("{:<11}", whose)), paint(tone, paint.safe(answer.text)));
 }
 
-void ask(Application& application, const AskOptions& options)
+void ask(Application& application, AskOptions options)
 {
+    options.folder = workspace_of({&options.unit, 1}, options.folder);
     const Exercise exercise = application.chosen({options.unit}).front();
     if (const std::string why = not_askable(exercise); !why.empty())
         throw UsageError(fmt::format("{} cannot be asked: {}; umbral debug runs a case of it", exercise.id, why));

@@ -56,7 +56,7 @@ std::string how_to_locate(const Application& application, const std::vector<Exer
                           const SubmissionResult& result)
 {
     std::string text;
-    if (application.layout.installed) return text;
+    if (!may_have_finder(application)) return text;
     for (const UnitResult& unit : result.units) {
         const auto exercise = std::ranges::find(exercises, unit.id, &Exercise::id);
         const bool wrong = unit.verdict == Verdict::partial || unit.verdict == Verdict::wrong;
@@ -162,8 +162,9 @@ std::vector<fs::path> folders_of(const std::vector<Exercise>& exercises, const f
     }
 }
 
-void check(Application& application, const CheckOptions& options)
+void check(Application& application, CheckOptions options)
 {
+    options.folder = workspace_of(options.units, options.folder);
     expect_folder(options.folder, "a workspace");
     if (!options.file.empty()) {
         if (options.units.size() != 1 || options.watch || options.json || !options.html.empty())

@@ -9,9 +9,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <optional>
 
 #include "build/student_header.hpp"
 #include "cli/unit_sources.hpp"
@@ -109,12 +111,22 @@ void build_targets(const Application& application, const std::vector<std::string
             fmt::format("building {} failed; the whole log is in {}{}", listed(targets), log.string(), errors_in(log)));
 }
 
-bool has_tests(const fs::path& folder)
+/// What CMake keeps under this name in the build's folder: nothing if it is not there.
+std::optional<std::string> kept_by_cmake(const fs::path& folder, const std::string& name)
 {
     std::ifstream cache(folder / "CMakeCache.txt");
     for (std::string line; std::getline(cache, line);)
-        if (line.starts_with("BUILD_TESTING:")) return line.ends_with("=ON");
-    return true;
+        if (line.starts_with(name + ":")) return line.substr(std::min(line.find('=') + 1, line.size()));
+    return std::nullopt;
+}
+
+bool has_tests(const fs::path& folder) { return kept_by_cmake(folder, "BUILD_TESTING").value_or("ON") == "ON"; }
+
+bool has_libclang(const fs::path& folder)
+{
+    return std::ranges::none_of(std::array{"LIBCLANG", "LIBCLANG_INCLUDE"}, [&](const char* name) {
+        return kept_by_cmake(folder, name).value_or("").ends_with("-NOTFOUND");
+    });
 }
 
 /// Has the build know the tests' targets too.
@@ -204,7 +216,23 @@ fs::path have_finder(const Application& application, std::string_view purpose)
     if (application.layout.installed)
         throw UsageError(
             fmt::format("{} by umbral-mutate, which packages do not hold: call it in a checkout", purpose));
+    const fs::path& folder = application.layout.build;
+    if (!has_libclang(folder)) {
+        // It may be there by now.
+        const Descriptor lock = lock_build(application);
+        (void)run_into(folder / "units.log", {"cmake", folder.string()});
+    }
+    if (!has_libclang(folder))
+        throw UsageError(
+            fmt::format("{} by libclang, which this machine lacks: apt-get install libclang-14-dev, and "
+                        "call it again",
+                        purpose));
     return have_program(application, "umbral-mutate");
+}
+
+bool may_have_finder(const Application& application)
+{
+    return !application.layout.installed && has_libclang(application.layout.build);
 }
 
 fs::path have_fresh_program(const Application& application, const std::string& name, bool of_tests)

@@ -27,8 +27,11 @@ void have_built(const Application& application, std::span<const Exercise> units,
 [[nodiscard]] std::filesystem::path have_program(const Application& application, const std::string& name);
 
 /// The path of umbral-mutate, built if it was not yet. Throws UsageError in an installation, which holds none, with
-/// `purpose` before the reason: "validate --mutants finds mutants".
+/// `purpose` before the reason: "validate --mutants finds mutants". Where libclang is missing, too.
 [[nodiscard]] std::filesystem::path have_finder(const Application& application, std::string_view purpose);
+
+/// Was libclang there when the build was configured last, so that have_finder() may find the program?
+[[nodiscard]] bool may_have_finder(const Application& application);
 
 /// In a checkout: builds the program `name` anew if its sources changed, so that what is measured is what they say.
 /// Those `of_tests` have targets only if the build was configured with the tests: if it was not, it is now. Throws

@@ -91,8 +91,9 @@ std::string as_one_line(std::string text)
     return text;
 }
 
-void debug(const Application& application, const DebugOptions& options)
+void debug(const Application& application, DebugOptions options)
 {
+    options.folder = workspace_of({&options.unit, 1}, options.folder);
     const Exercise exercise = application.chosen({options.unit}).front();
     const std::vector<std::string> cases = exercise.cases();
     const std::string chosen = options.case_name.empty() ? cases.front() : options.case_name;

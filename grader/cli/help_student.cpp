@@ -89,10 +89,12 @@ void add_hint(Command command, Application& application)
         std::string unit;
         std::size_t step = 1;
         std::string language = "en";
+        std::string folder = ".";
     };
     auto options = std::make_shared<Options>();
     command.option("UNIT", options->unit, "Which unit").required();
     command.option("STEP", options->step, "Which hint").with_default();
+    command.option("--dir", options->folder, "The workspace, as other commands take it: hints are the same in all");
     command.option("--language", options->language, "Of the hint").one_of({"en", "es"}).with_default();
     command.runs([&application, options] {
         print_hint(application, options->unit, options->step, language_of(options->language));
@@ -108,8 +110,10 @@ void add_reset(Command command, Application& application)
     auto options = std::make_shared<Options>();
     command.option("UNIT", options->unit, "Which unit").required();
     command.option("--dir", options->folder, "The workspace").with_default();
-    command.runs(
-        [&application, options] { as_given([&] { reset_unit(application, options->unit, options->folder); }); });
+    command.runs([&application, options] {
+        const std::string workspace = workspace_of({&options->unit, 1}, options->folder);
+        as_given([&] { reset_unit(application, options->unit, workspace); });
+    });
 }
 
 }

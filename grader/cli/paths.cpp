@@ -36,6 +36,24 @@ void expect_access(const fs::path& path, int mode)
 
 }
 
+std::string workspace_of(std::span<const std::string> units, const std::string& folder)
+{
+    if (folder != ".") return folder;
+    std::string found;
+    for (const std::string& unit : units) {
+        fs::path path(unit);
+        if (!path.has_filename()) path = path.parent_path();
+        if (std::error_code unknown; !path.has_parent_path() || !fs::is_directory(path, unknown)) continue;
+        const fs::path root = path.parent_path().parent_path();
+        const std::string meant = root.empty() ? "." : root.string();
+        if (!found.empty() && found != meant)
+            throw UsageError(
+                fmt::format("the units named lie in two workspaces, {} and {}: name those of one", found, meant));
+        found = meant;
+    }
+    return found.empty() ? folder : found;
+}
+
 void expect_folder(const fs::path& folder, std::string_view meaning)
 {
     std::error_code error;

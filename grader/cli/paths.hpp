@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,11 @@ namespace umbral::grader {
 
 /// Expects a folder that can be read; `meaning` says what for, as "a workspace".
 void expect_folder(const std::filesystem::path& folder, std::string_view meaning);
+
+/// The workspace that is meant: where no other one is named than the default, ".", and a unit is named by the path of
+/// its folder, "work/raytracing/sphere", the folder in which that lies as a workspace holds its units. Throws
+/// UsageError if units are named so of two workspaces.
+[[nodiscard]] std::string workspace_of(std::span<const std::string> units, const std::string& folder);
 
 /// Makes a folder, and those above it, where they are missing.
 void make_folder(const std::filesystem::path& folder);

@@ -2,11 +2,9 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -14,6 +12,7 @@
 #include <filesystem>
 
 #include "cli/application.hpp"
+#include "model/random_text.hpp"
 #include "run/descriptor.hpp"
 #include "text/escape.hpp"
 
@@ -62,16 +61,6 @@ void expect_folder_of(const fs::path& file)
         fmt::format(
             "expected its folder to exist; of that path there is only {}. Make the folder, or correct --secret-file",
             nearest_existing(file.parent_path()).string()));
-}
-
-std::string random_text()
-{
-    std::array<unsigned char, 32> bytes{};
-    if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-        throw std::runtime_error("no random numbers from the kernel");
-    std::string text;
-    for (const unsigned char byte : bytes) text += fmt::format("{:02x}", byte);
-    return text;
 }
 
 /// A file beside the one that is meant, removed at the end: what is half written is never taken for the secret.

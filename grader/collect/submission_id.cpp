@@ -94,6 +94,23 @@ std::map<std::string_view, std::string_view> by_letter()
     return result;
 }
 
+/// `lower` is in small letters.
+bool equal_in_any_case(std::string_view lower, std::string_view name)
+{
+    return std::ranges::equal(lower, name,
+                              [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); });
+}
+
+/// Is this, up to its first point, what Windows takes for a device, wherever it lies?
+bool is_device(std::string_view name)
+{
+    const std::string_view stem = name.substr(0, name.find('.'));
+    const auto is = [&](std::string_view device) { return equal_in_any_case(device, stem); };
+    const bool numbered = stem.size() == 4 && stem.back() >= '1' && stem.back() <= '9' &&
+                          (equal_in_any_case("com", stem.substr(0, 3)) || equal_in_any_case("lpt", stem.substr(0, 3)));
+    return numbered || is("con") || is("prn") || is("aux") || is("nul");
+}
+
 /// An accent that stands behind its letter (U+0300 to U+036F), as Macs write file names.
 bool is_combining_accent(std::string_view character)
 {
@@ -114,11 +131,10 @@ bool is_submission_id(std::string_view name)
 bool is_reserved_id(std::string_view name)
 {
     constexpr std::array<std::string_view, 3> written_by_reports{".json", ".html", ".csv"};
-    const auto same = [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); };
-    return name.starts_with('.') || name.starts_with('-') ||
+    return name.starts_with('.') || name.starts_with('-') || name.ends_with('.') || is_device(name) ||
            std::ranges::any_of(written_by_reports, [&](std::string_view suffix) {
                return name.size() >= suffix.size() &&
-                      std::ranges::equal(suffix, name.substr(name.size() - suffix.size()), same);
+                      equal_in_any_case(suffix, name.substr(name.size() - suffix.size()));
            });
 }
 
@@ -145,6 +161,7 @@ std::string derived_id(std::string_view name)
     while (!id.empty() && is_edge(id.back())) id.pop_back();
     id.erase(id.begin(), std::ranges::find_if_not(id, is_edge));
     if (is_reserved_id(id)) std::ranges::replace(id, '.', '-');
+    if (is_reserved_id(id)) id.insert(0, "id-");
     return id;
 }
 

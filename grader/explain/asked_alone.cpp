@@ -80,7 +80,8 @@ bool is_row_right(const Check& check, const RunOutcome& run, const Expected& exp
 bool is_right_alone(Worker& worker, const Exercise& exercise, const Built& built, const Check& check,
                     const CaseResult& one, std::uint32_t question, std::size_t row)
 {
-    const RunOutcome alone = worker.run_past(exercise, built, check.case_name, one.seed, only(question));
+    const RunOutcome alone =
+        worker.run_past(exercise, built, check.case_name, one.seed, only(question), exercise.limits.wall_seconds);
     const RunOutcome& whole = worker.trusted(exercise, judged_against(check), check.case_name, one.seed);
     const QuestionLog& log = worker.questions(exercise, check.case_name, one.seed);
     return is_row_right(check, alone, expected_of(check, whole), {log, question, row});

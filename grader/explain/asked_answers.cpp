@@ -119,6 +119,8 @@ AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_
     answers.components = expected.value->components;
     answers.keys = judge_of(check).keys;
     answers.columns = names_of_columns(check, expected.names, answers.components);
+    answers.picture = is_picture(check);
+    if (const auto kinds = judge_of(check).kinds) answers.kinds = kinds(text_of(expected.names));
     const RunOutcome& student = asked.runs.plain(seed);
     if (student.verdict != Verdict::ok) return answers;
     const Tensor* yours = observed(check, student);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +23,9 @@ struct AskedCheck {
     const CaseResult& result;
     const QuestionLog& log;
     const std::string& headers;  ///< the text of the unit's interface headers, where its parameters have names
+    /// Calls `look` with checks of other visible cases, which may fail or not, until it says that no more is wanted:
+    /// first of what is recorded under the same name; null where there are none.
+    std::function<void(const std::function<bool(const AskedCheck&)>& look)> others{};
 };
 
 /// A question, and the student's answer to it beside the right one.
@@ -37,6 +42,9 @@ struct AskedAnswers {
     std::size_t keys = 0;                ///< of them, those that say what the row is about
     std::vector<std::string> columns{};  ///< what the numbers of a row are called
     bool optional = false;               ///< an answer may be that there is none
+    bool picture = false;                ///< they are the cells of a picture or a buffer
+    /// Where rows are events: what they are called, by their first number.
+    std::map<double, std::string> kinds{};
 };
 
 /// The answers with the inputs of a seed: row by row where rows are compared so, else, where their number is free or

@@ -139,16 +139,18 @@ AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t 
         std::erase_if(some, [&kind = kind, but](const AskedAnswer* one) {
             return but->questions.contains(kind->questions.at(one->question));
         });
-    result.answers = {answers.components, answers.keys, answers.columns, {}, {}};
+    result.answers = {answers.components, answers.keys, answers.columns, {}, {}, answers.picture, false, answers.kinds};
     for (const AskedAnswer* const one : some) result.answers.answers.push_back(one->answer);
     if (kind == nullptr || some.empty()) return result;
+    result.function = kind->function;
     for (const AskedAnswer* const one : some) result.questions.insert(kind->questions.at(one->question));
     const AnswersOfKind of_kind{answers, *kind, some};
     const QuestionTable table = questions_of(asked, of_kind);
     result.by_answer = by_answer(table, of_kind);
     result.answers.facts = result.by_answer.facts;
     result.by_question = by_question(table, of_kind);
-    if (!result.by_question.numbers.empty()) result.by_answer = by_answer(no_questions(answers), of_kind);
+    result.answers.several = !result.by_question.numbers.empty();
+    if (result.answers.several) result.by_answer = by_answer(no_questions(answers), of_kind);
     return result;
 }
 

@@ -25,6 +25,7 @@ struct ToldSample {
 
 /// A check's answers whose questions are of one kind, the kind that most have.
 struct AskedSample {
+    std::string function{};  ///< that was asked; empty if that is not known
     AnswerTable answers{};
     std::set<std::vector<double>> questions{};  ///< the numbers of all
     /// Each answer by itself, in the same order, with its question's numbers and the right answer's. Where a question

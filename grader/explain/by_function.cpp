@@ -3,101 +3,87 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <list>
-#include <map>
-#include <string>
+#include <optional>
 
 #include "explain/some_rows.hpp"
-#include "question/log.hpp"
+#include "judge/explain/thresholds.hpp"
+
+#include <umbral/record/reflect.hpp>
 
 namespace umbral::grader {
 namespace {
 
-/// What is known of one function's answers.
-struct AnswersOfOne {
-    std::vector<FailingCheck> checks;
-    std::size_t its_alone = 0;   ///< failing tables whose wrong rows are all of it
-    bool beside_others = false;  ///< does any of them hold rows of others, right or wrong?
-};
-
-/// Keeps the tables that checks of single functions point to.
-struct Parts {
-    std::map<std::string, AnswersOfOne> functions;
-    std::list<Check> checks;
-    std::list<Tensor> tables;
-    std::size_t failing = 0;
-
-    const Tensor* part_of(const Tensor* table, const std::vector<std::size_t>& rows)
-    {
-        if (table == nullptr || table->rows <= rows.back()) return nullptr;
-        return &tables.emplace_back(some_rows(*table, rows));
-    }
-};
-
-/// The rows of a table by the function that was asked for them; those of which nothing is known under no name.
-std::map<std::string, std::vector<std::size_t>> rows_by_function(const QuestionLog& log, const std::string& value,
-                                                                 std::size_t rows)
+double share_of(const AnswersOfOne& answers, const FunctionParts& parts)
 {
-    std::map<std::string, std::vector<std::size_t>> found;
-    for (std::size_t row = 0; row < rows; ++row) {
-        const auto question = log.question_of(value, row, rows);
-        const QuestionKind* const kind = question ? log.kind_of(*question) : nullptr;
-        found[kind == nullptr ? "" : kind->function].push_back(row);
+    return static_cast<double>(answers.its_alone) / static_cast<double>(parts.failing);
+}
+
+/// What a part of a check says of a candidate's run.
+Resemblance says_of_part(const PartOfCheck& one, const RunOutcome& its)
+{
+    if (one.rows.empty()) return says_of(one.part, *one.group->result, its);
+    const Tensor* const table = its.verdict == Verdict::ok ? observed(*one.whole, its) : nullptr;
+    if (table == nullptr || one.part.student == nullptr || one.part.expected == nullptr || !well_formed(*table) ||
+        table->rows <= one.rows.back() || table->columns != 1)
+        return not_alike;
+    return resemblance(one.part, some_rows(*table, one.rows));
+}
+
+/// What all answers of a function say of a mistake; nothing if any speaks against it, or the first that fails says
+/// nothing.
+std::optional<Tally> tally_of(Worker& worker, const Exercise& exercise, const AnswersOfOne& answers,
+                              const KnownSolution& mistake)
+{
+    Tally tally;
+    for (const PartOfCheck& one : answers.parts) {
+        const RunOutcome& run = worker.run_known(exercise, "mistakes/" + mistake.name, mistake.sources, one.group->name,
+                                                 one.group->result->seed);
+        tally += says_of_part(one, run);
+        if (tally.against_it > 0 || tally.for_it == 0) return std::nullopt;
+    }
+    return tally;
+}
+
+}
+
+std::vector<Explanation> transforms_by_function(const FunctionParts& parts)
+{
+    std::vector<Explanation> found;
+    for (const auto& [function, answers] : parts.functions) {
+        if (!answers.beside_others) continue;
+        std::vector<FailingCheck> tables;
+        for (const PartOfCheck& one : answers.parts)
+            if (!one.rows.empty()) tables.push_back(one.part);
+        for (Explanation& one : explain_by_transform(tables)) {
+            one.fit = std::min(one.fit, share_of(answers, parts));
+            one.name += fmt::format(" in {}", reflect::last_name(function));
+            one.sentence = sentence_about({function}, std::move(one.sentence));
+            found.push_back(std::move(one));
+        }
     }
     return found;
 }
 
-void take_apart(const QuestionLog& log, const FailingCheck& one, Parts& parts)
+std::vector<Explanation> mistakes_by_function(Worker& worker, const Exercise& exercise, const FunctionParts& parts,
+                                              std::span<const KnownSolution> mistakes)
 {
-    if (!has_single_rows(*one.check, one.student, one.expected)) return;
-    const auto functions = rows_by_function(log, one.check->value, one.expected->rows);
-    const std::vector<RowState> states = single_rows(*one.check, *one.student, {one.expected, one.margin, nullptr});
-    const auto is_wrong = [&](std::size_t row) { return row < states.size() && states[row] == RowState::wrong; };
-    const auto with_wrong = std::ranges::count_if(
-        functions, [&](const auto& entry) { return std::ranges::any_of(entry.second, is_wrong); });
-    parts.failing += one.fails ? 1 : 0;
-    for (const auto& [function, rows] : functions) {
-        if (function.empty()) continue;
-        AnswersOfOne& answers = parts.functions[function];
-        const bool wrong = std::ranges::any_of(rows, is_wrong);
-        if (one.fails && wrong) {
-            answers.its_alone += with_wrong == 1 ? 1 : 0;
-            answers.beside_others = answers.beside_others || functions.size() > 1;
-        }
-        Check& check = parts.checks.emplace_back(*one.check);
-        check.pairs = false;
-        answers.checks.push_back({&check, parts.part_of(one.student, rows), parts.part_of(one.expected, rows),
-                                  parts.part_of(one.margin, rows), wrong});
-    }
-}
-
-/// "In rotate_x: your matrix …"
-std::string sentence_of(const std::string& function, std::string sentence)
-{
-    if (sentence.starts_with("Your ") || sentence.starts_with("The ")) sentence[0] += 'a' - 'A';
-    return fmt::format("In {}: {}", function, sentence);
-}
-
-}
-
-std::vector<Explanation> by_function(Worker& worker, const Exercise& exercise, std::span<const CaseChecks> groups)
-{
-    Parts parts;
-    for (const CaseChecks& group : groups) {
-        if (!group.result->trouble().empty()) continue;
-        const QuestionLog& log = worker.questions(exercise, group.name, group.result->seed);
-        for (const FailingCheck& one : group.checks) take_apart(log, one, parts);
-    }
     std::vector<Explanation> found;
-    for (const auto& [function, answers] : parts.functions) {
-        if (!answers.beside_others) continue;
-        const std::string name = function.substr(function.rfind(':') + 1);
-        for (Explanation& one : explain_by_transform(answers.checks)) {
-            one.fit = std::min(one.fit, static_cast<double>(answers.its_alone) / static_cast<double>(parts.failing));
-            one.name += " in " + name;
-            one.sentence = sentence_of(name, std::move(one.sentence));
-            found.push_back(std::move(one));
+    if (parts.functions.size() < 2) return found;
+    for (const KnownSolution& mistake : mistakes) {
+        std::vector<std::string> made_in;
+        double share = 0;
+        double sure = 1;
+        for (const auto& [function, answers] : parts.functions) {
+            if (!answers.parts.front().part.fails) continue;
+            const std::optional<Tally> tally = tally_of(worker, exercise, answers, mistake);
+            if (!tally || confidence(*tally) < thresholds::very_sure) continue;
+            made_in.push_back(function);
+            share += share_of(answers, parts);
+            sure = std::min(sure, confidence(*tally));
         }
+        if (!made_in.empty())
+            found.push_back(
+                {mistake_title(mistake.name), sentence_about(made_in, mistake.hint), sure, std::min(1.0, share)});
     }
     return found;
 }

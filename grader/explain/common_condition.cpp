@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "explain/other_cases.hpp"
 #include "explain/samples.hpp"
 #include "question/conditions.hpp"
 
@@ -16,6 +17,11 @@ constexpr std::size_t least_of_fixed = 6;  ///< questions on either side, where 
 constexpr std::size_t enough_answers = 200;
 constexpr std::size_t most_in_vector = 4;
 constexpr std::size_t least_confirmed = 2;  ///< sets of fresh inputs with wrong answers
+constexpr std::size_t least_fresh = 6;      ///< questions on either side, in these sets together
+constexpr std::size_t least_elsewhere = 4;  ///< questions of another case that speak against a condition …
+constexpr double most_against = 0.1;        ///< … and their share of those on that side
+constexpr std::size_t least_denying = 16;   ///< wrong answers of another case that do not share what is told of these
+constexpr std::size_t most_denying = 4;     ///< cases that are asked for it
 constexpr double most_common_seconds = 3;   ///< of one check, for fresh inputs
 
 bool has_both(const std::vector<bool>& wrong, std::size_t least)
@@ -40,6 +46,22 @@ std::string in_plain_words(const Condition& condition)
     return text;
 }
 
+/// Does it tell of nothing but whether there is a right answer?
+bool is_presence(const Condition& condition) { return condition.fact && condition.words.starts_with(has_answer); }
+
+/// Of a condition that tells of nothing but whether there is a right answer: what happens there. Where something is to
+/// be found, that answers are wrong says nothing; that none is given does.
+std::string found_or_not(const CommonCondition& common, const AnswerPattern& answer)
+{
+    const Condition& condition = common.condition;
+    const bool nothing = in_plain_words(condition).find("nothing is to be found") != std::string::npos;
+    const std::string where =
+        fmt::format("({} of {})", condition.wrong_where, condition.wrong_where + condition.right_where);
+    if (nothing) return fmt::format("something is found wherever nothing is to be found {}", where);
+    if (answer == none_given) return fmt::format("nothing is found wherever something is to be found {}", where);
+    return "";
+}
+
 /// What fresh inputs say of a condition.
 enum class Confirmed { no, untried, yes };
 
@@ -47,8 +69,8 @@ enum class Confirmed { no, untried, yes };
 Confirmed confirmed_by(const Condition& condition, Samples& samples, ToldSample AskedSample::*of)
 {
     const ToldSample& seen = samples.seen().*of;
-    std::size_t wrong = condition.wrong;
-    std::size_t right = condition.right;
+    std::size_t wrong = 0;
+    std::size_t right = 0;
     std::size_t confirmed = 0;
     for (std::size_t i = 1; i <= samples.fresh_sets(); ++i) {
         const ToldSample& fresh = samples.fresh(i).*of;
@@ -58,14 +80,55 @@ Confirmed confirmed_by(const Condition& condition, Samples& samples, ToldSample 
         if (!parts(condition, fresh.facts, fresh.wrong)) return Confirmed::no;
         wrong += wrong_in(fresh.wrong);
         right += fresh.wrong.size() - wrong_in(fresh.wrong);
-        if (++confirmed >= least_confirmed && std::min(wrong, right) >= enough_answers) break;
+        const bool enough = std::min(wrong + condition.wrong, right + condition.right) >= enough_answers;
+        if (++confirmed >= least_confirmed && enough) break;
     }
-    return confirmed >= least_confirmed ? Confirmed::yes : Confirmed::untried;
+    return confirmed >= least_confirmed && std::min(wrong, right) >= least_fresh ? Confirmed::yes : Confirmed::untried;
+}
+
+/// What other cases say of a condition on questions to the same function: yes where wrong answers are on its side, and
+/// right ones on the other.
+Confirmed confirmed_elsewhere(const Condition& condition, OtherCases& others, const AskedSample& here,
+                              ToldSample AskedSample::*of)
+{
+    const ToldSample& seen = here.*of;
+    bool against = false;
+    std::size_t wrong_where = 0;
+    std::size_t right_elsewhere = 0;
+    others.each(here.function, [&](const AskedSample& sample) {
+        const ToldSample& told = sample.*of;
+        if (told.names != seen.names || !std::ranges::equal(told.facts, seen.facts, {}, &Fact::words, &Fact::words))
+            return true;
+        std::size_t holds = 0;
+        std::size_t wrong = 0;
+        std::size_t wrong_and_holds = 0;
+        for (std::size_t i = 0; i < told.wrong.size(); ++i) {
+            const bool here = condition.holds(told.facts, i);
+            holds += here ? 1 : 0;
+            wrong += told.wrong[i] ? 1 : 0;
+            wrong_and_holds += here && told.wrong[i] ? 1 : 0;
+        }
+        // Of what is simple, one other bug or a few inputs to which it makes no difference say nothing yet.
+        const double most = condition.is_simple ? 1 - most_against : most_against;
+        const auto speak_against = [&](std::size_t some, std::size_t all) {
+            against =
+                against || (some >= least_elsewhere && static_cast<double>(some) > most * static_cast<double>(all));
+        };
+        const std::size_t holds_not = told.wrong.size() - holds;
+        // A single number may be the reason, and make no difference there; what is put together, or fitted, may not.
+        if (!condition.fact || condition.fitted || condition.is_simple) speak_against(holds - wrong_and_holds, holds);
+        speak_against(wrong - wrong_and_holds, condition.is_simple ? wrong : holds_not);
+        wrong_where += wrong_and_holds;
+        right_elsewhere += holds_not - (wrong - wrong_and_holds);
+        return !against;
+    });
+    if (against) return Confirmed::no;
+    return std::min(wrong_where, right_elsewhere) >= least_elsewhere ? Confirmed::yes : Confirmed::untried;
 }
 
 /// The simplest condition that parts wrong ones from right ones, if it does so on fresh inputs too, or if there can be
-/// no others.
-std::optional<CommonCondition> condition_of(Samples& samples, ToldSample AskedSample::*of)
+/// no others. It must be so in other cases as well, as far as these ask the same: what is simple, by and large.
+std::optional<CommonCondition> condition_of(OtherCases& others, Samples& samples, ToldSample AskedSample::*of)
 {
     const ToldSample& seen = samples.seen().*of;
     if (seen.numbers.empty()) return std::nullopt;
@@ -82,22 +145,46 @@ std::optional<CommonCondition> condition_of(Samples& samples, ToldSample AskedSa
                        condition->wrong_where == condition->wrong;
     if (fixed && (by_chance || !exact)) return std::nullopt;
     const Confirmed confirmed = confirmed_by(*condition, samples, of);
-    const bool holds = confirmed == Confirmed::yes || (fixed && confirmed == Confirmed::untried);
-    if (!holds) return std::nullopt;
+    if (confirmed == Confirmed::no || (confirmed == Confirmed::untried && !fixed)) return std::nullopt;
+    // What is said of that alone is what the answers are, and these are looked for elsewhere.
+    if (is_presence(*condition)) return CommonCondition{*std::move(condition), of};
+    const Confirmed elsewhere = confirmed_elsewhere(*condition, others, samples.seen(), of);
+    const bool may_be_untried = condition->is_simple || !fixed;
+    if (elsewhere == Confirmed::no || (elsewhere == Confirmed::untried && !may_be_untried)) return std::nullopt;
     return CommonCondition{*std::move(condition), of};
 }
 
 /// Of questions that have several answers, or else of answers.
-std::optional<CommonCondition> common_condition(Samples& samples)
+std::optional<CommonCondition> common_condition(OtherCases& others, Samples& samples)
 {
-    std::optional<CommonCondition> found = condition_of(samples, &AskedSample::by_question);
-    return found ? found : condition_of(samples, &AskedSample::by_answer);
+    std::optional<CommonCondition> found = condition_of(others, samples, &AskedSample::by_question);
+    return found ? found : condition_of(others, samples, &AskedSample::by_answer);
 }
 
-/// What all wrong answers share, if it is so with fresh inputs too, so many that a chance would have shown.
-std::string common_answer(Samples& samples)
+/// Keeps the patterns that many wrong answers of other cases have, too: what is so in one case only may come of its
+/// inputs.
+void keep_shared(OtherCases& others, const AskedSample& here, std::vector<AnswerPattern>& patterns)
 {
-    std::vector<std::string> patterns = answer_patterns(samples.seen().answers);
+    if (patterns.empty()) return;
+    std::size_t tried = 0;
+    others.each(here.function, [&](const AskedSample& sample) {
+        if (sample.answers.components != here.answers.components || wrong_in(sample.answers) < least_denying)
+            return true;
+        // What overflows, or is not there, says nothing of what numbers are.
+        if (are_comparable(here.answers) && !are_comparable(sample.answers)) return true;
+        const std::vector<AnswerPattern> there = answer_patterns(sample.answers);
+        std::erase_if(patterns, [&](const AnswerPattern& one) { return std::ranges::find(there, one) == there.end(); });
+        return ++tried < most_denying && !patterns.empty();
+    });
+    // On which side wrong ones lie is the inputs' doing more often than the mistake's.
+    if (tried == 0) std::erase_if(patterns, [](const AnswerPattern& one) { return one.tells == CommonTells::side; });
+}
+
+/// What all wrong answers share, if it is so with fresh inputs too, so many that a chance would have shown, and in
+/// other cases.
+AnswerPattern common_answer(OtherCases& others, Samples& samples)
+{
+    std::vector<AnswerPattern> patterns = answer_patterns(samples.seen().answers);
     std::size_t wrong = wrong_in(samples.seen().answers);
     const bool fixed = !patterns.empty() && samples.is_fixed();
     std::optional<AskedSample> pending;
@@ -110,13 +197,14 @@ std::string common_answer(Samples& samples)
             pending = std::move(fresh);
             continue;
         }
-        const std::vector<std::string> again = answer_patterns(fresh.answers);
-        std::erase_if(patterns, [&](const std::string& one) { return std::ranges::find(again, one) == again.end(); });
+        const std::vector<AnswerPattern> again = answer_patterns(fresh.answers);
+        std::erase_if(patterns, [&](const AnswerPattern& one) { return std::ranges::find(again, one) == again.end(); });
         wrong += wrong_in(fresh.answers);
         if (++confirmed >= least_confirmed && (fixed || wrong >= enough_answers)) break;
     }
     if (confirmed == 0) patterns.clear();
-    return patterns.empty() ? "" : patterns.front();
+    keep_shared(others, samples.seen(), patterns);
+    return patterns.empty() ? AnswerPattern() : patterns.front();
 }
 
 }
@@ -126,16 +214,26 @@ InCommon find_in_common(Worker& worker, const AskedCheck& asked, SpareTime& time
     if (!time.is_left()) return {};
     const double before = worker.run_seconds();
     Samples samples(worker, asked, std::min(time.left(), most_common_seconds));
-    InCommon found{common_condition(samples), common_answer(samples)};
+    OtherCases others(worker, asked);
+    InCommon found{common_condition(others, samples), common_answer(others, samples)};
     time.spend(worker.run_seconds() - before);
     return found;
 }
 
-std::string sentence_of(const InCommon& common)
+AnswerPattern sentence_of(const InCommon& common)
 {
-    std::string text = common.condition ? in_plain_words(common.condition->condition) : "";
-    if (!common.answer.empty()) text += fmt::format("{}every wrong answer {}", text.empty() ? "" : "; ", common.answer);
-    return text;
+    AnswerPattern answer = common.answer;
+    if (!answer.words.empty()) answer.words.insert(0, "every wrong answer ");
+    if (!common.condition) return answer;
+    const Condition& condition = common.condition->condition;
+    if (is_presence(condition)) {
+        std::string text = found_or_not(*common.condition, common.answer);
+        return text.empty() ? answer : AnswerPattern{std::move(text)};
+    }
+    // That an answer which is always the same is wrong where another one is right says nothing.
+    if (answer.tells == CommonTells::constant && condition.of_answer) return answer;
+    const std::string text = in_plain_words(condition);
+    return {answer.words.empty() ? text : text + "; " + answer.words};
 }
 
 std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const CommonCondition& condition,
@@ -150,9 +248,9 @@ std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const Comm
 std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const std::string& pattern, std::uint64_t seed)
 {
     const AskedSample fresh = asked_sample(worker, asked, seed);
-    const std::vector<std::string> found = answer_patterns(fresh.answers);
+    const std::vector<AnswerPattern> found = answer_patterns(fresh.answers);
     if (found.empty() && wrong_in(fresh.answers) < least_wrong) return std::nullopt;
-    return std::ranges::find(found, pattern) != found.end();
+    return std::ranges::find(found, pattern, &AnswerPattern::words) != found.end();
 }
 
 }

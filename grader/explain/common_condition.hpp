@@ -19,8 +19,8 @@ struct CommonCondition {
 /// What the wrong answers of a check have in common.
 struct InCommon {
     std::optional<CommonCondition> condition{};  ///< the simplest one
-    /// What all wrong answers share, as words such as "is always 0" (question/answer_patterns.hpp); may be empty.
-    std::string answer{};
+    /// What all wrong answers share (question/answer_patterns.hpp): "is 0"; without words if nothing is known.
+    AnswerPattern answer{};
 };
 
 /// Holds only what is so on fresh inputs too, or where there can be no others. Of a hidden case only fresh inputs are
@@ -28,9 +28,9 @@ struct InCommon {
 /// all checks of a unit share, as its runs need; nothing where none is left.
 [[nodiscard]] InCommon find_in_common(Worker& worker, const AskedCheck& asked, SpareTime& time);
 
-/// "wrong wherever ray.t_min is positive (50 of 50), right everywhere else (350 of 350); every wrong answer is always
-/// 0". Empty if there is neither.
-[[nodiscard]] std::string sentence_of(const InCommon& common);
+/// "wrong wherever ray.t_min is positive (50 of 50), right everywhere else (350 of 350); every wrong answer is 0".
+/// Without words if there is neither; it tells what the answers' pattern does where that is all that it says.
+[[nodiscard]] AnswerPattern sentence_of(const InCommon& common);
 
 /// Does the condition part wrong answers from right ones with the inputs of this seed too? Nothing if that cannot be
 /// said, as where none or all are wrong there.

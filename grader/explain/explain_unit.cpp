@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <list>
+#include <optional>
 #include <tuple>
 
 #include "explain/by_function.hpp"
@@ -11,6 +12,7 @@
 #include "explain/two_mistakes.hpp"
 #include "judge/explain/explain.hpp"
 #include "judge/explain/thresholds.hpp"
+#include "judge/judges.hpp"
 #include "worker/packaged_unit.hpp"
 
 namespace umbral::grader {
@@ -24,7 +26,7 @@ struct LikelyMistake {
 
 /// Drawing costs a hundred times what numbers do, and a unit's mistakes may be thirty: one that so many checks speak
 /// against, and none for, is not tried on the other cases.
-constexpr std::size_t enough_against = 2;
+constexpr std::size_t enough_against = 1;
 
 std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, const std::vector<CaseChecks>& groups,
                                      std::span<const KnownSolution> mistakes)
@@ -69,6 +71,20 @@ std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, c
     return found;
 }
 
+/// What is wrong with what was recorded by itself.
+std::optional<Explanation> first_fault(const std::vector<CaseChecks>& groups)
+{
+    for (const CaseChecks& group : groups) {
+        if (!group.result->trouble().empty()) continue;
+        for (const FailingCheck& one : group.checks) {
+            const auto fault_of = judge_of(*one.check).fault;
+            if (fault_of == nullptr || one.student == nullptr) continue;
+            if (auto fault = fault_of(one)) return fault;
+        }
+    }
+    return std::nullopt;
+}
+
 }
 
 std::vector<KnownSolution> explaining_mistakes(const Worker& worker, const Exercise& exercise)
@@ -100,8 +116,16 @@ std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, 
     // A known mistake that explains all has a hint written for the unit: what is tried for all units can say no more.
     if (!explained())
         for (Explanation& other : explain_by_transform(ran)) all.push_back(std::move(other));
-    if (!explained())
-        for (Explanation& other : by_function(worker, exercise, groups)) all.push_back(std::move(other));
+    if (!explained()) {
+        if (auto fault = first_fault(groups)) all.push_back(*std::move(fault));
+        const FunctionParts parts = parts_by_function(worker, exercise, groups);
+        for (Explanation& other : transforms_by_function(parts)) all.push_back(std::move(other));
+        for (Explanation& other : mistakes_by_function(worker, exercise, parts, mistakes)) {
+            // Weighed over all answers the same mistake is less sure, if it is anything.
+            std::erase_if(all, [&](const Explanation& one) { return one.name == other.name; });
+            all.push_back(std::move(other));
+        }
+    }
     // Where nothing else explains all, and once, of what students may know.
     if (!explained() && std::ranges::none_of(groups, [](const CaseChecks& group) { return group.result->hidden; }))
         for (Explanation& other : by_other_questions(worker, exercise, groups)) all.push_back(std::move(other));

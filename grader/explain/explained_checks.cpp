@@ -43,7 +43,8 @@ std::vector<CaseChecks> checks_by_case(Worker& worker, const Exercise& exercise,
         };
         const Check& check = shown();
         const Expected side = expected_of(check, expected);
-        group.checks.push_back({&check, observed(check, group.result->student), side.value, side.margin, fails});
+        const Tensor* const yours = observed_beginning(check, group.result->student);
+        group.checks.push_back({&check, yours, side.value, side.margin, fails});
         group.failing += fails ? 1 : 0;
         if (side.value != nullptr) group.cells += side.value->cells();
     }
@@ -61,7 +62,7 @@ Resemblance says_of(const FailingCheck& one, const CaseResult& yours, const RunO
 {
     if (yours.student.verdict != its.verdict) return not_alike;
     if (its.verdict != Verdict::ok) return {};
-    const Tensor* tensor = observed(*one.check, its);
+    const Tensor* tensor = observed_beginning(*one.check, its);
     if (tensor == nullptr) return one.student == nullptr ? Resemblance{} : not_alike;
     return one.student == nullptr ? not_alike : resemblance(one, *tensor);
 }

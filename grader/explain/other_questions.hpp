@@ -13,9 +13,6 @@ namespace umbral::grader {
 /// the names of its own, then the rest of its topic's.
 [[nodiscard]] std::string interface_text(const Worker& worker, const Exercise& exercise);
 
-/// "with turn.angle negated"
-[[nodiscard]] std::string in_words(const OtherQuestion& question, const std::string& headers);
-
 /// Are the student's wrong results the reference's right ones to other questions: an angle negated, two arguments
 /// exchanged, a list in reverse? Each kind of question is asked of the reference in all calls of its function, and its
 /// recording weighed as a known mistake's is. Nobody writes anything for this: the questions follow from the types of

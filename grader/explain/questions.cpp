@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -13,6 +14,7 @@
 #include "explain/practice_example.hpp"
 #include "explain/question_code.hpp"
 #include "explain/simplest_question.hpp"
+#include "judge/judges.hpp"
 #include "question/log.hpp"
 #include "report/failing_order.hpp"
 #include "worker/spare_time.hpp"
@@ -45,15 +47,16 @@ struct Shown {
 
 class CaseQuestions {
 public:
-    CaseQuestions(Worker& worker, const Exercise& exercise, const Built& built, const CaseResult& one,
-                  std::string case_name)
+    CaseQuestions(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases,
+                  const std::string& case_name)
         : worker_(worker),
           exercise_(exercise),
           built_(built),
-          one_(one),
-          case_(std::move(case_name)),
-          log_(worker.questions(exercise, case_, one.seed)),
-          runs_(worker, exercise, built, case_, one)
+          cases_(cases),
+          one_(cases.at(case_name)),
+          case_(case_name),
+          log_(worker.questions(exercise, case_, one_.seed)),
+          runs_(worker, exercise, built, case_, one_)
     {
     }
 
@@ -83,7 +86,8 @@ public:
         }
         for (RowPair* row : rows_in(detail, check.name)) show(row->cell, row->question);
         if (result.beside || !may_repeat(worker_, exercise_, one_)) return;
-        const AskedCheck asked{exercise_, check, runs_, one_, log_, headers};
+        AskedCheck asked{exercise_, check, runs_, one_, log_, headers};
+        asked.others = [&](const auto& look) { look_elsewhere(check, headers, look); };
         if (result.first_difference && !result.first_difference->cell)
             if (const auto question = first_wrong_group(worker_, asked, one_.seed))
                 shown_.push_back({{*question, 1}, &result.first_difference->question});
@@ -93,8 +97,10 @@ public:
                 result.practice_seed = example->seed;
             }
         // What wrong answers share says nothing of the cause then.
-        std::string& shared = one_.hidden ? result.practice : result.common;
-        shared = alone ? right_alone : sentence_of(find_in_common(worker_, asked, patterns));
+        AnswerPattern shared =
+            alone ? AnswerPattern{right_alone} : sentence_of(find_in_common(worker_, asked, patterns));
+        (one_.hidden ? result.practice : result.common) = std::move(shared.words);
+        if (!one_.hidden) result.common_tells = shared.tells;
     }
 
     /// Asks for the code of all that is shown.
@@ -118,9 +124,28 @@ private:
         });
     }
 
+    /// AskedCheck::others.
+    void look_elsewhere(const Check& check, const std::string& headers,
+                        const std::function<bool(const AskedCheck&)>& look) const
+    {
+        // What is called alike is asked alike, as a rule.
+        std::vector<const Check*> others;
+        for (const Check& other : exercise_.checks)
+            if (other.case_name != case_ && !other.relation && !is_picture(other)) others.push_back(&other);
+        std::ranges::stable_partition(others, [&](const Check* other) { return other->value == check.value; });
+        for (const Check* const other : others) {
+            const CaseResult& one = cases_.at(other->case_name);
+            if (one.hidden || one.beside || !one.reached || !one.trouble().empty()) continue;
+            CaseRuns runs(worker_, exercise_, built_, other->case_name, one);
+            const QuestionLog& log = worker_.questions(exercise_, other->case_name, one.seed);
+            if (!look({exercise_, *other, runs, one, log, headers})) return;
+        }
+    }
+
     Worker& worker_;
     const Exercise& exercise_;
     const Built& built_;
+    const CaseResults& cases_;
     const CaseResult& one_;
     std::string case_;
     const QuestionLog& log_;
@@ -163,8 +188,7 @@ void add_questions(Worker& worker, const Exercise& exercise, const Built& built,
     SpareTime patterns;
     patterns.allow(most_pattern_seconds);
     for (const WrongCase& failing : wrong_cases(exercise, cases, result)) {
-        const auto& [name, one] = *failing.ran;
-        CaseQuestions questions(worker, exercise, built, one, name);
+        CaseQuestions questions(worker, exercise, built, cases, failing.ran->first);
         if (!questions.known()) continue;
         for (const std::size_t i : failing.checks)
             questions.add(exercise.checks[i], result.checks[i], detail, headers, patterns);

@@ -26,6 +26,7 @@ struct MistakenCheck {
     const FailingCheck* check = nullptr;
     std::vector<std::optional<Tensor>> by_mistake{};       ///< nothing if its run ended otherwise
     std::vector<std::size_t> wrong{};                      ///< cells in which the student deviates
+    std::vector<std::uint64_t> clearly{};                  ///< a bit for each of them: by more than rounding
     std::vector<std::vector<std::uint64_t>> as_mistake{};  ///< for each mistake a bit for each of them: as it does
 };
 
@@ -65,6 +66,9 @@ void compare(MistakenCheck& mistaken)
     const bool comparable = same_shape(student, *mistaken.check->expected);
     for (std::size_t cell = 0; comparable && cell < yours.cells(); ++cell)
         if (!(distance(yours, right, cell) == 0)) mistaken.wrong.push_back(cell);
+    mistaken.clearly.resize((mistaken.wrong.size() + 63) / 64);
+    for (std::size_t i = 0; i < mistaken.wrong.size(); ++i)
+        if (!alike(yours, right, mistaken.wrong[i])) mistaken.clearly[i / 64] |= std::uint64_t{1} << (i % 64);
     for (const std::optional<Tensor>& its : mistaken.by_mistake) {
         std::vector<std::uint64_t>& bits = mistaken.as_mistake.emplace_back((mistaken.wrong.size() + 63) / 64);
         if (!its || !same_shape(student, *its)) continue;
@@ -82,6 +86,20 @@ bool may_be(const MistakenCheck& mistaken, std::size_t a, std::size_t b)
         covered += static_cast<std::size_t>(std::popcount(mistaken.as_mistake[a][i] | mistaken.as_mistake[b][i]));
     // Cells that are wrong by less than the check minds count here too.
     return 2 * covered >= mistaken.wrong.size();
+}
+
+/// Does one of the two give nearly all of the cells in which the student clearly deviates? A number between theirs is
+/// neither's.
+bool give_all(const MistakenCheck& mistaken, std::size_t a, std::size_t b)
+{
+    std::size_t all = 0;
+    std::size_t given = 0;
+    for (std::size_t i = 0; i < mistaken.clearly.size(); ++i) {
+        const std::uint64_t by_them = mistaken.as_mistake[a][i] | mistaken.as_mistake[b][i];
+        all += static_cast<std::size_t>(std::popcount(mistaken.clearly[i]));
+        given += static_cast<std::size_t>(std::popcount(mistaken.clearly[i] & by_them));
+    }
+    return 20 * given >= 19 * all;
 }
 
 /// Cell by cell the one of two results that is nearer to the student's. Where shapes differ, the one of its shape.
@@ -129,7 +147,7 @@ std::vector<MistakenCheck> mistaken_checks(Worker& worker, const Exercise& exerc
 }
 
 /// Does the student err in half of the cells or more in which `mistake` alone of the two errs? Nobody makes a mistake
-/// in a few of its cells and is right in the others. One that is not to be seen at all may be made in other cases.
+/// in a few of its cells and is right in the others.
 bool errs_where(const MistakenCheck& mistaken, std::size_t mistake, std::size_t other)
 {
     const Tensor& student = *mistaken.check->student;
@@ -148,7 +166,7 @@ bool errs_where(const MistakenCheck& mistaken, std::size_t mistake, std::size_t 
         ++all;
         if (alike(yours, wrong, cell)) ++taken;
     }
-    return taken == 0 || 2 * taken >= all;
+    return 2 * taken >= all;
 }
 
 bool speaks_for(const MistakenCheck& mistaken, std::size_t mistake)
@@ -165,8 +183,11 @@ std::optional<Tally> weigh_pair(const std::vector<MistakenCheck>& all, std::size
     bool needs_b = false;
     for (const MistakenCheck& one : all) {
         if (!one.by_mistake[a] || !one.by_mistake[b]) return std::nullopt;
-        const Resemblance said =
-            resemblance(*one.check, nearer(*one.check->student, *one.by_mistake[a], *one.by_mistake[b]));
+        // A list of another length than either's is nobody's.
+        const Tensor& student = *one.check->student;
+        if (!same_shape(student, *one.by_mistake[a]) && !same_shape(student, *one.by_mistake[b])) return std::nullopt;
+        if (!give_all(one, a, b)) return std::nullopt;
+        const Resemblance said = resemblance(*one.check, nearer(student, *one.by_mistake[a], *one.by_mistake[b]));
         if (said.says == Says::against_it) return std::nullopt;
         tally += said;
         if (said.says != Says::for_it) continue;
@@ -187,6 +208,11 @@ std::string two_mistakes_title(const std::string& a, const std::string& b)
 std::vector<Explanation> by_two_mistakes(Worker& worker, const Exercise& exercise, std::span<const CaseChecks> groups,
                                          std::span<const KnownSolution> mistakes)
 {
+    // What has no result to compare, two mistakes that have one do not explain.
+    const auto has_none = [](const FailingCheck& one) { return one.fails && one.student == nullptr; };
+    if (std::ranges::any_of(groups,
+                            [&](const CaseChecks& group) { return std::ranges::any_of(group.checks, has_none); }))
+        return {};
     const std::vector<MistakenCheck> all = mistaken_checks(worker, exercise, groups, mistakes);
     if (all.empty()) return {};
     std::vector<Explanation> found;

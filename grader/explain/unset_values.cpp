@@ -111,8 +111,9 @@ std::optional<UnsetValues> by_unset_values(Worker& worker, const Exercise& exerc
         if (!differ(first, run(*zeros), one)) continue;
         if (differ(first, run(nonsense), one)) return std::nullopt;
         const char* const sentence =
-            "Your program reads a variable, or memory, to which it never gave a value, or that is gone already (a "
-            "reference to an argument, after the call): where that holds zeros instead, its answers are different.";
+            "Your program reads a variable, or memory, to which it never gave a value, that lies behind the end of a "
+            "list, or that is gone already (a reference to an argument, after the call): where that holds zeros "
+            "instead, its answers are different.";
         return UnsetValues{{"uninitialized", sentence, confidence_of_difference, 1, false, one.hidden},
                            one.hidden ? "" : quoted(zeros->message, exercise)};
     }

@@ -103,9 +103,13 @@ struct JudgeRecord {
     // Explaining.
     /// resemblance() of a failing check, where both results can be judged.
     Resemblance (*resemblance)(const FailingCheck& failing, const Tensor& mistake) = nullptr;
+    /// What is wrong with the student's values by themselves, whether the check notices or not. Null: nothing is known.
+    std::optional<Explanation> (*fault)(const FailingCheck& one) = nullptr;
     /// What each number of a row is called, by the text that the driver records for that; none where it has no name of
     /// its own. Null: as columns.hpp says, or nothing where rows are free.
     std::vector<std::string> (*columns)(std::string_view names, std::size_t components) = nullptr;
+    /// What kinds of rows are called, by the code that they begin with: "zoom" for 3. Null: there are no kinds.
+    std::map<double, std::string> (*kinds)(std::string_view names) = nullptr;
     const RowKind& (*rows)() = nullptr;                     ///< how single rows are compared; null: as rows of numbers
     std::vector<NamedTransform> (*transforms)() = nullptr;  ///< those that are tried on its results first
     std::optional<double> (*likeness)(const Tensor& student,

@@ -27,13 +27,17 @@ inline constexpr std::size_t library = std::size_t{8} << 20U;  ///< bytes of a c
 inline constexpr std::size_t build_folder =
     std::size_t{96} << 20U;                   ///< bytes that building a unit may leave on the disk while it lasts
 inline constexpr double compile_seconds = 5;  ///< of processor time, for compiling a unit; a usual one takes a half …
-inline constexpr double shared_compile_seconds = 60;   ///< … and so many more for all units of a submission together
+inline constexpr double shared_compile_seconds = 60;  ///< … and so many more for all units of a submission together
+/// Of a student's code in all its runs, also those that look for why it is wrong; a usual unit takes a half …
+inline constexpr double run_seconds = 6;
+inline constexpr double shared_run_seconds = 240;      ///< … and so many more for all units of a submission together
 inline constexpr std::size_t inspected_names = 20000;  ///< names of one kind that are read from a compiled unit
 inline constexpr std::size_t rows_factor = 4;  ///< rows of a table that are judged: this many times the expected ones …
 inline constexpr std::size_t rows_more = 1024;  ///< … and so many more, so that "too many" can still be shown
 inline constexpr std::size_t trace_bytes = std::size_t{8}
                                            << 20U;  ///< the same for a trace of OpenGL calls, which is text
-inline constexpr int timeouts = 2;        ///< cases of a unit that may run into the time limit; the rest is not reached
+/// Cases of a unit that may use up their time or memory; the rest is not reached.
+inline constexpr int endless_cases = 2;
 inline constexpr double unit_limits = 3;  ///< times what one may take: all cases of a unit, each time that they run
 
 // What is read of a submission before units are chosen from it.

@@ -111,14 +111,15 @@ void take_tensor(Cursor& cursor, const WantedTensors& wanted, Recording& recordi
     if (!wanted.empty() && asked == wanted.end()) return;
     if (recording.tensors.contains(name) || recording.oversized.contains(name))
         damaged(offset, "a name not used before", fmt::format("'{}'", name));
-    if (!wanted.empty() && tensor.cells() > asked->second) {
-        recording.oversized.emplace(std::move(name), Oversized{header.rows, header.columns});
-        return;
-    }
-    tensor.bytes = copy<std::byte>(values);
-    tensor.present = copy<std::uint8_t>(flags);
+    const bool oversized = !wanted.empty() && tensor.cells() > asked->second;
+    if (oversized) tensor.rows = header.columns == 1 ? static_cast<std::uint32_t>(asked->second) : 0;
+    tensor.bytes = copy<std::byte>(values.first(tensor.count() * size_of(tensor.element)));
+    tensor.present = copy<std::uint8_t>(flags.first(std::min(flags.size(), tensor.cells())));
     check_presence(tensor, offset);
-    recording.tensors.emplace(std::move(name), std::move(tensor));
+    if (oversized)
+        recording.oversized.emplace(std::move(name), Oversized{header.rows, header.columns, std::move(tensor)});
+    else
+        recording.tensors.emplace(std::move(name), std::move(tensor));
 }
 
 void take_tensors(Recording& recording, const wire::Header& header, std::span<const std::byte> bytes,

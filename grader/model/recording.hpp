@@ -17,10 +17,11 @@ namespace umbral::grader {
 /// hold.
 using WantedTensors = std::map<std::string, std::size_t, std::less<>>;
 
-/// The shape of a tensor that has more cells than it may: nothing of it was read.
+/// A tensor that has more cells than it may.
 struct Oversized {
     std::uint32_t rows = 0;
     std::uint32_t columns = 0;
+    Tensor beginning{};  ///< of a table, as many rows as it may have; nothing of a picture
 };
 
 /// What a run recorded, after every byte of it was checked.

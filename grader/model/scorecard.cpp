@@ -64,6 +64,7 @@ json check(const CheckResult& value, Detail detail)
     if (value.unjudged != Unjudged::no) result["unjudged"] = to_string(value.unjudged);
     if (value.simplest) result["simplest"] = difference(value.simplest);
     if (!value.common.empty()) result["common"] = text(value.common);
+    if (value.common_tells != CommonTells::other) result["common_tells"] = to_string(value.common_tells);
     if (!value.practice.empty()) result["practice"] = text(value.practice);
     if (value.practice_example) result["practice_example"] = difference(value.practice_example);
     if (value.held_back) result["held_back"] = true;

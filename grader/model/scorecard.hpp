@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/common_tells.hpp"
 #include "model/curve.hpp"
 #include "model/exercise.hpp"
 #include "model/unjudged.hpp"
@@ -41,6 +42,7 @@ struct CheckResult {
     std::map<std::string, double> metrics;  ///< finite numbers only
     std::optional<Difference> first_difference;
     std::string common{};  ///< "wrong wherever …": what all questions with wrong answers share; empty if nothing does
+    CommonTells common_tells = CommonTells::other;
     std::string practice{};  ///< the same of a hidden check, about inputs that are not graded and the same for all
     std::optional<Difference> practice_example{};  ///< of a hidden check, the first wrong value with such inputs
     std::uint64_t practice_seed = 0;               ///< of its inputs; in no file

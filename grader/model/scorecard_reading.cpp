@@ -68,29 +68,14 @@ std::optional<Difference> difference(const Field& field)
 
 CheckResult check(const Field& field)
 {
-    field.allow_only({"name",
-                      "kind",
-                      "hard",
-                      "hidden",
-                      "unjudged",
-                      "score",
-                      "max_score",
-                      "error",
-                      "reference_error",
-                      "message",
-                      "metrics",
-                      "first_difference",
-                      "common",
-                      "held_back",
-                      "beside",
-                      "simplest",
-                      "about",
-                      "headline",
-                      "sketch",
-                      "artefacts",
-                      "seeds",
-                      "practice",
-                      "practice_example"});
+    field.allow_only({"name",      "kind",         "hard",
+                      "hidden",    "unjudged",     "score",
+                      "max_score", "error",        "reference_error",
+                      "message",   "metrics",      "first_difference",
+                      "common",    "common_tells", "held_back",
+                      "beside",    "simplest",     "about",
+                      "headline",  "sketch",       "artefacts",
+                      "seeds",     "practice",     "practice_example"});
     CheckResult result;
     result.name = text(field.member("name"));
     result.kind = kind(field.member("kind"));
@@ -108,6 +93,8 @@ CheckResult check(const Field& field)
     result.first_difference = difference(field.member("first_difference"));
     if (const Field simplest = field.member("simplest"); simplest.given()) result.simplest = difference(simplest);
     if (const Field common = field.member("common"); common.given()) result.common = text(common);
+    if (const Field tells = field.member("common_tells"); tells.given())
+        result.common_tells = named(tells, common_tells_from, "what wrong answers share");
     if (const Field practice = field.member("practice"); practice.given()) result.practice = text(practice);
     if (const Field example = field.member("practice_example"); example.given())
         result.practice_example = difference(example);

@@ -11,8 +11,10 @@
 #include <stdexcept>
 
 #include "build/compiler_files.hpp"
+#include "build/padding_fault.hpp"
 #include "build/student_header.hpp"
 #include "build/submission.hpp"
+#include "model/caps.hpp"
 #include "mutants/schemata.hpp"
 #include "run/confine.hpp"
 
@@ -60,9 +62,11 @@ std::vector<Mutant> find(const fs::path& finder, MutantFamily family, const std:
                          [](const std::string& flag) { return flag.starts_with("-std=") || flag.starts_with("-D"); });
     const std::vector<std::string> headers = read_first(own, exercise);
     command.arguments.insert(command.arguments.end(), headers.begin(), headers.end());
-    const std::string text = run_confined(command).output;
-    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-    if (!json.is_array()) throw std::runtime_error(fmt::format("{}: {}", finder.filename().string(), text));
+    const ConfinedResult result = run_confined(command);
+    const nlohmann::json json = nlohmann::json::parse(result.output, nullptr, false);
+    if (!json.is_array())
+        throw NotMutable(fmt::format("{} ended with status {}: {}", finder.filename().string(), result.exit_status,
+                                     one_line(result.output)));
     std::vector<Mutant> mutants;
     for (const auto& one : json)
         mutants.push_back({one.at("number"), static_cast<Mutant::Form>(one.at("form").get<int>()), one.at("begin"),
@@ -71,9 +75,9 @@ std::vector<Mutant> find(const fs::path& finder, MutantFamily family, const std:
     return mutants;
 }
 
-ConfinedResult compile(const Toolchain& tools, const Exercise& exercise, const std::string& text, const fs::path& work)
+ConfinedResult compile_once(const Toolchain& tools, const Exercise& exercise, const fs::path& work,
+                            const std::vector<std::string>& more)
 {
-    write_text(work / "mutants.cpp", text);
     ConfinedCommand command = command_in(work, tools);
     command.read.push_back(tools.student_header.parent_path().string());
     command.arguments = {tools.compiler};
@@ -86,7 +90,19 @@ ConfinedResult compile(const Toolchain& tools, const Exercise& exercise, const s
           std::string("-shared"), std::string("-fuse-ld=mold"), std::string("-Wl,-z,lazy"), std::string("-o"),
           std::string("mutants.so"), std::string("./mutants.cpp")})
         command.arguments.push_back(word);
+    command.arguments.insert(command.arguments.end(), more.begin(), more.end());
     return run_confined(command);
+}
+
+ConfinedResult compile(const Toolchain& tools, const Exercise& exercise, const std::string& text, const fs::path& work)
+{
+    write_text(work / "mutants.cpp", text);
+    return compiled_as_written(
+        tools, work,
+        [&](const Toolchain& with, const std::vector<std::string>& more) {
+            return compile_once(with, exercise, work, more);
+        },
+        [](const ConfinedResult& result) { return result.exit_status == 0; });
 }
 
 std::size_t lines_between(const std::string& source, const Mutant& mutant)
@@ -136,8 +152,8 @@ BuiltMutants build_mutants(const Toolchain& tools, const Exercise& exercise, Mut
         const std::size_t left_out =
             std::erase_if(built.mutants, [&](const Mutant& mutant) { return wrong.contains(mutant.number); });
         if (left_out == 0 || attempt == most_attempts)
-            throw std::runtime_error(fmt::format("{}: the source does not compile with its mutants: {}", exercise.id,
-                                                 result.output.substr(0, 2000)));
+            throw NotMutable(fmt::format("{}: the source does not compile with its mutants: {}", exercise.id,
+                                         one_line(result.output, 2000)));
     }
     built.not_compiled = found - built.mutants.size();
     built.library = work / "mutants.so";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,14 @@ struct BuiltMutants {
     std::filesystem::path library;
 };
 
+/// A source of which no mutants can be built: it is too long, say, or nested too deep, for what reads it.
+struct NotMutable : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// Finds the mutants of this family of `source`, a unit's only C++ file, by the program `finder` (umbral-mutate) and
 /// compiles it with all that compile into the folder `work`. Both run confined, so that the source may be anybody's.
-/// Throws std::runtime_error with the compiler's words if it cannot be done.
+/// Throws NotMutable with the compiler's words if it cannot be done.
 [[nodiscard]] BuiltMutants build_mutants(const Toolchain& tools, const Exercise& exercise, MutantFamily family,
                                          const std::filesystem::path& finder, const std::string& source,
                                          const std::filesystem::path& work);

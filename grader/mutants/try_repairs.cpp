@@ -16,6 +16,8 @@ using Clock = std::chrono::steady_clock;
 
 /// So many changes that mend the first case are tried in all others.
 constexpr std::size_t most_candidates = 60;
+/// Of the wrong checks: what mends less has little to do with what is wrong.
+constexpr double least_mended = 0.25;
 
 using Names = std::set<std::string>;
 
@@ -153,10 +155,14 @@ private:
         return mends;
     }
 
-    static std::vector<Repair> best_of(std::vector<Repair> repairs)
+    /// Those that mend most; none if that is little.
+    std::vector<Repair> best_of(std::vector<Repair> repairs) const
     {
         const std::size_t most =
             std::ranges::max(repairs, {}, [](const Repair& one) { return one.mends.size(); }).mends.size();
+        std::size_t wrong = 0;
+        for (const WrongCase& one : wrong_) wrong += one.checks.size();
+        if (static_cast<double>(most) < least_mended * static_cast<double>(wrong)) return {};
         std::erase_if(repairs, [&](const Repair& one) { return one.mends.size() < most; });
         std::ranges::stable_sort(repairs, {}, [](const Repair& one) { return one.change.line; });
         const auto same = std::ranges::unique(repairs, {}, [](const Repair& one) { return one.change.line; });

@@ -24,4 +24,11 @@ inline constexpr double rounding = 1e-5;
     return std::isfinite(size) && std::abs(a - b) <= rounding * size;
 }
 
+/// Are two rows equal but for the rounding of numbers as large as the largest of `b`?
+[[nodiscard]] inline bool alike_rows(std::span<const double> a, std::span<const double> b)
+{
+    const double size = size_of(b);
+    return std::ranges::equal(a, b, [size](double x, double y) { return alike(x, y, size); });
+}
+
 }

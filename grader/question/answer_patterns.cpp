@@ -11,20 +11,23 @@
 #include <span>
 
 #include "question/alike.hpp"
+#include "question/answer_places.hpp"
 #include "question/answer_relations.hpp"
+#include "question/list_patterns.hpp"
 #include "question/nearly_right.hpp"
+#include "question/number_changes.hpp"
 
 namespace umbral::grader {
 namespace {
 
-constexpr std::size_t most_named = 4;  ///< more numbers of a row than that are no pattern
-
 using Pairs = std::vector<const AnswerPair*>;
 
-bool alike_rows(std::span<const double> a, std::span<const double> b)
+Pairs wrong_pairs(const AnswerTable& table)
 {
-    const double size = size_of(b);
-    return std::ranges::equal(a, b, [size](double x, double y) { return alike(x, y, size); });
+    Pairs wrong;
+    for (const AnswerPair& one : table.answers)
+        if (one.wrong) wrong.push_back(&one);
+    return wrong;
 }
 
 bool all_equal(const Pairs& pairs, const std::vector<double> AnswerPair::*side)
@@ -42,116 +45,80 @@ std::string in_words(std::span<const double> numbers)
     return fmt::format("({})", fmt::join(all, ", "));
 }
 
-/// Whether there is an answer, and whether it is one at all; empty if nothing is to say.
-std::string presence(const Pairs& wrong)
+void add(std::vector<std::string> words, std::vector<AnswerPattern>& found)
 {
-    if (std::ranges::all_of(wrong, [](const AnswerPair* one) { return one->yours.empty(); })) return "is empty";
-    if (std::ranges::all_of(wrong, [](const AnswerPair* one) { return one->expected.empty(); }))
-        return "should be empty";
-    const bool infinite = std::ranges::all_of(wrong, [](const AnswerPair* one) {
-        return std::ranges::any_of(one->yours, [](double x) { return !std::isfinite(x); });
-    });
-    return infinite ? "is not finite" : "";
+    for (std::string& one : words) found.push_back({std::move(one)});
+}
+
+bool is_missing(const AnswerPair* one) { return one->yours.empty(); }
+bool is_too_much(const AnswerPair* one) { return one->expected.empty(); }
+bool is_finite_number(double x) { return std::isfinite(x); }
+
+/// Whether there is an answer, and whether it is one at all; nothing if all are answers.
+std::optional<std::vector<AnswerPattern>> presence(const AnswerTable& table, const Pairs& wrong)
+{
+    const bool missing = std::ranges::all_of(wrong, is_missing);
+    if (missing || std::ranges::all_of(wrong, is_too_much)) {
+        // That events are missing is plain to see; which they are is not.
+        if (table.kinds.empty()) return std::vector<AnswerPattern>{{missing ? none_given : "should be empty"}};
+        std::vector<AnswerPattern> kinds;
+        add(kind_patterns(table, wrong), kinds);
+        return kinds;
+    }
+    const auto is_no_number = [&](const AnswerPair* one) { return !std::ranges::all_of(one->yours, is_finite_number); };
+    if (!std::ranges::all_of(wrong, is_no_number)) return std::nullopt;
+    const auto is_filled = [](const AnswerPair* one) {
+        return std::ranges::all_of(one->yours, [](double x) { return std::isnan(x); });
+    };
+    const bool may_be_filled = table.several && std::ranges::all_of(wrong, is_filled);
+    return std::vector<AnswerPattern>{
+        {may_be_filled ? "is no number (NaN), or was not given at all" : "is not finite"}};
 }
 
 /// Where all have the same size and are finite.
 bool can_be_compared(const Pairs& wrong)
 {
     return std::ranges::all_of(wrong, [](const AnswerPair* one) {
-        const auto finite = [](double x) { return std::isfinite(x); };
         return !one->expected.empty() && one->yours.size() == one->expected.size() &&
-               std::ranges::all_of(one->yours, finite) && std::ranges::all_of(one->expected, finite);
+               std::ranges::all_of(one->yours, is_finite_number) &&
+               std::ranges::all_of(one->expected, is_finite_number);
     });
 }
 
-void add_constant(const Pairs& wrong, std::vector<std::string>& found)
+void add_constant(const Pairs& wrong, std::vector<AnswerPattern>& found)
 {
     constexpr std::size_t most_numbers = 4;
     if (wrong.front()->yours.size() > most_numbers || wrong.front()->yours.empty()) return;
     if (all_equal(wrong, &AnswerPair::yours) && !all_equal(wrong, &AnswerPair::expected))
-        found.push_back("is always " + in_words(wrong.front()->yours));
+        found.push_back({"is " + in_words(wrong.front()->yours), CommonTells::constant});
 }
 
-/// The rows of a list in which one row, or the order, is wrong.
-void add_lists(const Pairs& wrong, std::size_t components, std::vector<std::string>& found)
-{
-    const auto all = [&](auto holds) {
-        return std::ranges::all_of(wrong, [&](const AnswerPair* one) {
-            return one->expected.size() > components && holds(std::span(one->yours), std::span(one->expected));
-        });
-    };
-    using Rows = std::span<const double>;
-    if (all([&](Rows yours, Rows right) { return alike_rows(yours, right.first(right.size() - components)); }))
-        found.emplace_back("lacks the last row");
-    if (all([&](Rows yours, Rows right) { return alike_rows(yours, right.subspan(components)); }))
-        found.emplace_back("lacks the first row");
-    if (all([&](Rows yours, Rows right) {
-            return yours.size() == right.size() + components && alike_rows(yours.first(right.size()), right);
-        }))
-        found.emplace_back("has a row too many at its end");
-    if (all([&](Rows yours, Rows right) {
-            return yours.size() == right.size() + components && alike_rows(yours.subspan(components), right);
-        }))
-        found.emplace_back("has a row too many at its beginning");
-    if (all([&](Rows yours, Rows right) {
-            if (yours.size() != right.size()) return false;
-            std::vector<double> turned;
-            for (std::size_t at = yours.size(); at > 0; at -= components)
-                turned.insert(turned.end(), yours.begin() + static_cast<long>(at - components),
-                              yours.begin() + static_cast<long>(at));
-            return alike_rows(turned, right);
-        }))
-        found.emplace_back("has its rows in the opposite order");
-}
+/// Numbers of all wrong answers beside the right ones.
+struct NumberPairs {
+    std::vector<double> yours;
+    std::vector<double> right;
+};
 
-/// The components in which some wrong answer differs by more than rounding.
-std::vector<std::size_t> wrong_components(const Pairs& wrong, std::size_t components)
+NumberPairs numbers_in(const Pairs& wrong, std::size_t components, std::size_t component)
 {
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < components; ++i)
-        if (std::ranges::any_of(wrong, [&](const AnswerPair* one) {
-                const double size = size_of(one->expected);
-                for (std::size_t at = i; at < one->yours.size(); at += components)
-                    if (!alike(one->yours[at], one->expected[at], size)) return true;
-                return false;
-            }))
-            found.push_back(i);
-    return found;
-}
-
-/// What turns each right number into the wrong one beside it, if it is the same everywhere: "the right one plus 1".
-std::optional<std::string> constant_change(const Pairs& wrong, std::size_t components, std::size_t component)
-{
-    std::optional<double> offset;
-    std::optional<double> factor;
-    bool same_offset = true;
-    bool same_factor = true;
-    double least = INFINITY;
-    double most = -INFINITY;
+    NumberPairs numbers;
     for (const AnswerPair* one : wrong)
         for (std::size_t at = component; at < one->yours.size(); at += components) {
-            const double yours = one->yours[at];
-            const double right = one->expected[at];
-            const double size = std::max(std::abs(yours), std::abs(right));
-            least = std::min(least, right);
-            most = std::max(most, right);
-            if (!offset) offset = yours - right;
-            same_offset = same_offset && alike(yours - right, *offset, size);
-            if (right == 0) {
-                same_factor = same_factor && yours == 0;
-                continue;
-            }
-            if (!factor) factor = yours / right;
-            same_factor = same_factor && alike(yours / right, *factor, std::abs(*factor));
+            numbers.yours.push_back(one->yours[at]);
+            numbers.right.push_back(one->expected[at]);
         }
-    // Of a single right value anything is true.
-    if (!(least < most)) return std::nullopt;
-    if (same_offset && *offset != 0)
-        return fmt::format("the right one {} {:.6g}", *offset > 0 ? "plus" : "minus", std::abs(*offset));
-    if (!same_factor || !factor || *factor == 0) return std::nullopt;
-    if (alike(*factor, 1, 1)) return std::nullopt;
-    if (alike(*factor, -1, 1)) return "the right one with the opposite sign";
-    return fmt::format("{:.6g} times the right one", *factor);
+    return numbers;
+}
+
+NumberPairs numbers_in(const Pairs& wrong, std::size_t components, const std::vector<std::size_t>& which)
+{
+    NumberPairs all;
+    for (const std::size_t component : which) {
+        const NumberPairs some = numbers_in(wrong, components, component);
+        all.yours.insert(all.yours.end(), some.yours.begin(), some.yours.end());
+        all.right.insert(all.right.end(), some.right.begin(), some.right.end());
+    }
+    return all;
 }
 
 /// Where each answer is one row: which question it answers.
@@ -166,16 +133,21 @@ std::vector<std::size_t> questions_of(const AnswerTable& table, const Pairs& wro
 }
 
 /// What each wrong number in this place of a row is: "the right one plus 1".
-std::optional<std::string> change_of(const AnswerTable& table, const Pairs& wrong, std::size_t component)
+std::optional<AnswerPattern> change_of(const AnswerTable& table, const Pairs& wrong, std::size_t component)
 {
-    if (auto change = constant_change(wrong, table.components, component)) return change;
-    WrongNumbers numbers{{}, {}, questions_of(table, wrong)};
-    if (numbers.questions.empty()) return std::nullopt;
-    for (const AnswerPair* one : wrong) {
-        numbers.yours.push_back(one->yours[component]);
-        numbers.right.push_back(one->expected[component]);
+    NumberPairs pairs = numbers_in(wrong, table.components, component);
+    if (auto change = change_of_numbers(pairs.yours, pairs.right)) return change;
+    const WrongNumbers numbers{std::move(pairs.yours), std::move(pairs.right), questions_of(table, wrong)};
+    if (!numbers.questions.empty())
+        if (auto relation = relation_of(numbers, table.facts)) return AnswerPattern{*std::move(relation)};
+    for (std::size_t other = 0; other < std::min(table.components, table.columns.size()); ++other) {
+        if (other == component) continue;
+        const std::vector<double> right = numbers_in(wrong, table.components, other).right;
+        if (const auto sign = sign_between(numbers.yours, right))
+            return AnswerPattern{
+                fmt::format("the right {}{}", table.columns[other], *sign > 0 ? "" : " with the opposite sign")};
     }
-    return relation_of(numbers, table.facts);
+    return std::nullopt;
 }
 
 /// So many numbers of each row, from this one on, as vectors; none where an answer is not one row.
@@ -192,7 +164,7 @@ WrongVectors wrong_vectors(const AnswerTable& table, const Pairs& wrong, std::si
 
 /// What each of the wrong columns of square matrices is, if that can be said of all of them.
 void add_matrix_columns(const AnswerTable& table, const Pairs& wrong, const std::vector<std::size_t>& which,
-                        std::vector<std::string>& found)
+                        std::vector<AnswerPattern>& found)
 {
     const std::size_t side = table.components == 16 ? 4 : 3;
     if (side * side != table.components) return;
@@ -202,85 +174,111 @@ void add_matrix_columns(const AnswerTable& table, const Pairs& wrong, const std:
     std::vector<std::string> parts;
     std::set<std::string> relations;
     for (const std::size_t column : columns) {
-        const auto relation = relation_of(wrong_vectors(table, wrong, column * side, affine ? 3 : side), table.facts);
+        const std::size_t count = affine ? 3 : side;
+        const WrongVectors vectors = wrong_vectors(table, wrong, column * side, count);
+        std::optional<std::string> relation;
+        if (auto found_here = relation_of(vectors, table.facts)) relation = std::move(found_here->words);
+        for (std::size_t other = 0; !relation && other < side; ++other)
+            if (const auto sign = sign_between(vectors.yours, wrong_vectors(table, wrong, other * side, count).right))
+                relation = fmt::format("is the right column {}{}", other, *sign > 0 ? "" : " with the opposite sign");
         if (!relation) return;
         parts.push_back(fmt::format("column {} {}", column, *relation));
         relations.insert(*relation);
     }
     if (columns.size() < side)
-        found.push_back(fmt::format("is right but for some columns: {}", fmt::join(parts, ", ")));
+        found.push_back({fmt::format("is right but for some columns: {}", fmt::join(parts, ", "))});
     else if (relations.size() == 1)
-        found.push_back("has columns each of which " + *relations.begin());
+        found.push_back({"has columns each of which " + *relations.begin()});
     else
-        found.push_back(fmt::format("is wrong in all columns: {}", fmt::join(parts, ", ")));
+        found.push_back({fmt::format("is wrong in all columns: {}", fmt::join(parts, ", "))});
 }
 
-/// State that a call leaves behind for the next.
-void add_question_before(const AnswerTable& table, const Pairs& wrong, std::vector<std::string>& found)
+/// Are they the right ones to the questions before: state that a call leaves behind for the next?
+bool are_of_questions_before(const AnswerTable& table, const Pairs& wrong)
 {
     std::set<std::vector<double>> different;
     for (const AnswerPair* one : wrong) {
-        if (one == table.answers.data() || !alike_rows(one->yours, (one - 1)->expected)) return;
+        if (one == table.answers.data() || !alike_rows(one->yours, (one - 1)->expected)) return false;
         different.insert(one->yours);
     }
-    if (different.size() >= least_wrong) found.emplace_back("is the right one to the question before");
+    return different.size() >= least_wrong;
 }
 
-/// Which numbers of a row are wrong; empty if most of what it says is.
-std::string place_of(const AnswerTable& table, const std::vector<std::size_t>& which)
+/// What each wrong number is, where a row has several, if it is the same for all.
+void add_change_of_all(const AnswerTable& table, const Pairs& wrong, const std::vector<std::size_t>& which,
+                       const std::string& place, std::vector<AnswerPattern>& found)
 {
-    if (which.empty() || which.size() > most_named || 2 * which.size() > table.components - table.keys) return "";
-    // Nobody can count along a row whose numbers have no names, and that begins with what is no number of its own.
-    if (table.keys > 0 && table.columns.empty() && which.size() > 1) return "";
-    std::vector<std::string> names;
-    for (const std::size_t i : which)
-        names.push_back(i < table.columns.size()            ? table.columns[i]
-                        : table.keys > 0 && i >= table.keys ? fmt::format("its number {}", i - table.keys + 1)
-                                                            : fmt::format("number {}", i));
-    return which.size() == 1 ? fmt::format("differs in {} only", names.front())
-                             : fmt::format("differs in nothing but {}", fmt::join(names, ", "));
+    const NumberPairs numbers = numbers_in(wrong, table.components, which);
+    const auto change = change_of_numbers(numbers.yours, numbers.right);
+    if (!change) return;
+    if (which.size() == table.components)
+        found.push_back({fmt::format("is {}, in each of its numbers", change->words)});
+    if (!place.empty()) found.push_back({fmt::format("{}, where each number is {}", place, change->words)});
+}
+
+/// On which side of the right numbers all wrong ones lie.
+void add_side(const AnswerTable& table, const Pairs& wrong, const std::vector<std::size_t>& which,
+              const std::string& place, std::vector<AnswerPattern>& found)
+{
+    constexpr std::size_t least_answers = 8;  ///< of fewer, all may lie on one side by chance
+    if (wrong.size() < least_answers || table.picture) return;
+    const NumberPairs numbers = numbers_in(wrong, table.components, which);
+    const auto side = side_of_numbers(numbers.yours, numbers.right);
+    if (!side) return;
+    if (table.components == 1)
+        found.push_back({"is " + *side, CommonTells::side});
+    else if (which.size() == 1 && !place.empty())
+        found.push_back({fmt::format("{}, which is {}", place, *side), CommonTells::side});
+    else if (which.size() > 1 && table.keys == 0 && table.components <= 4)
+        found.push_back({fmt::format("is {} in each number that differs", *side), CommonTells::side});
 }
 
 /// What is so of the numbers of an answer, the most telling first.
-void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<std::string>& found)
+void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<AnswerPattern>& found)
 {
     const std::vector<std::size_t> which = wrong_components(wrong, table.components);
     const auto change = which.size() == 1 ? change_of(table, wrong, which.front()) : std::nullopt;
+    const std::string place = table.components == 1 ? "" : place_of(table, which);
     if (which.size() > 1 && table.components <= 4) {
         WrongVectors vectors = wrong_vectors(table, wrong, 0, table.components);
         if (table.columns.size() == table.components) vectors.names = table.columns;
         if (auto relation = relation_of(vectors, table.facts)) found.push_back(std::move(*relation));
     }
     if (which.size() > 1) add_matrix_columns(table, wrong, which, found);
-    const std::string place = table.components == 1 ? "" : place_of(table, which);
-    if (change && table.components == 1) found.push_back("is " + *change);
-    if (change && !place.empty()) found.push_back(fmt::format("{}, which is {}", place, *change));
+    if (which.size() > 1) add_change_of_all(table, wrong, which, place, found);
+    if (change && table.components == 1) found.push_back({"is " + change->words, change->tells});
+    if (change && !place.empty()) found.push_back({fmt::format("{}, which is {}", place, change->words)});
     if (are_nearly_right(table, wrong))
-        found.push_back(place.empty() ? nearly_right : fmt::format("{}, and {}", place, nearly_right));
-    if (!place.empty()) found.push_back(place);
+        found.push_back(
+            {place.empty() ? nearly_right : fmt::format("{}, and {}", place, nearly_right), CommonTells::nearly});
+    add_side(table, wrong, which, place, found);
+    if (!place.empty()) found.push_back({place, CommonTells::place});
 }
 
 }
 
-std::vector<std::string> answer_patterns(const AnswerTable& table)
+bool are_comparable(const AnswerTable& table) { return can_be_compared(wrong_pairs(table)); }
+
+std::vector<AnswerPattern> answer_patterns(const AnswerTable& table)
 {
-    Pairs wrong;
-    for (const AnswerPair& one : table.answers)
-        if (one.wrong) wrong.push_back(&one);
-    std::vector<std::string> found;
+    const Pairs wrong = wrong_pairs(table);
+    std::vector<AnswerPattern> found;
     if (wrong.size() < least_wrong) {
         // Of so few anything may be true, but that the same numbers of a row are wrong is what is seen.
         if (wrong.size() < 2 || !can_be_compared(wrong)) return found;
         const std::string place = place_of(table, wrong_components(wrong, table.components));
-        if (!place.empty()) found.push_back(place);
+        if (!place.empty()) found.push_back({place, CommonTells::place});
         return found;
     }
-    if (const std::string text = presence(wrong); !text.empty()) return {text};
-    add_constant(wrong, found);
-    add_lists(wrong, table.components, found);
+    if (auto said = presence(table, wrong)) return std::move(*said);
+    if (!table.picture) add_constant(wrong, found);
+    add(list_patterns(table, wrong), found);
+    add(kind_patterns(table, wrong), found);
     if (can_be_compared(wrong)) {
-        add_question_before(table, wrong, found);
         add_components(table, wrong, found);
+        // An argument may be the right answer to the question before: that explains more simply.
+        const auto vague = std::ranges::find_if(found, [](const AnswerPattern& one) { return is_vague(one.tells); });
+        if (are_of_questions_before(table, wrong)) found.insert(vague, {"is the right one to the question before"});
     }
     return found;
 }

@@ -9,8 +9,8 @@
 #include <numeric>
 #include <set>
 
-#include "judge/rows/tensor_view.hpp"
 #include "question/alike.hpp"
+#include "question/number_changes.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -35,16 +35,25 @@ std::vector<double> values_at(const Fact& fact, std::span<const std::size_t> que
     return values;
 }
 
-/// The words of the first number told of the questions that has these values; not of what is told of right answers,
-/// which are compared themselves.
+/// The words of the first number told of the questions that has these values, and of others that do; nothing if these
+/// are many. Not of what is told of right answers, which are compared themselves.
 std::optional<std::string> told_as(std::span<const double> values, std::span<const std::size_t> questions,
                                    const std::vector<Fact>& facts)
 {
+    constexpr std::size_t most_others = 2;
     if (!vary(values)) return std::nullopt;
-    for (const Fact& fact : facts)
-        if (!fact.answer && fact.kind != Fact::Kind::parallel && all_same(values_at(fact, questions), values))
-            return fact.words;
-    return std::nullopt;
+    std::optional<std::string> words;
+    std::vector<std::string> others;
+    for (const Fact& fact : facts) {
+        if (fact.answer || fact.kind == Fact::Kind::parallel || !all_same(values_at(fact, questions), values)) continue;
+        if (!words)
+            words = fact.words;
+        else if (fact.kind == Fact::Kind::number || fact.kind == Fact::Kind::length)
+            others.push_back(fact.words);
+    }
+    if (others.empty()) return words;
+    if (others.size() > most_others) return std::nullopt;
+    return fmt::format("{} (here the same as {})", *words, fmt::join(others, " and "));
 }
 
 template <class Make>
@@ -68,11 +77,13 @@ std::optional<std::string> linear(std::span<const double> yours, std::span<const
         if (std::abs(factor * right[i] + offset - yours[i]) > rounding * size) return std::nullopt;
     if (same(factor, 1) || std::abs(factor) < 100 * rounding || std::abs(offset) < 100 * rounding * size)
         return std::nullopt;
-    return fmt::format("{} times the right one {} {}", number_text(factor), offset > 0 ? "plus" : "minus",
-                       number_text(std::abs(offset)));
+    if (same(factor, -1)) return constant_text(offset, false) + " minus the right one";
+    return fmt::format("{} times the right one {} {}", constant_text(factor), offset > 0 ? "plus" : "minus",
+                       constant_text(std::abs(offset), false));
 }
 
-/// "times the length of normal", "divided by ray.t_max": how each of these factors follows from its question.
+/// "times the length of normal", "divided by the square of ray.t_max": how each of these factors follows from its
+/// question.
 std::optional<std::string> as_factor(std::span<const double> factors, std::span<const std::size_t> questions,
                                      const std::vector<Fact>& facts)
 {
@@ -81,6 +92,13 @@ std::optional<std::string> as_factor(std::span<const double> factors, std::span<
     std::vector<double> inverse;
     for (const double factor : factors) inverse.push_back(1 / factor);
     if (const auto words = told_as(inverse, questions, facts)) return "divided by " + *words;
+    const auto roots = [](std::span<const double> squares) {
+        std::vector<double> found;
+        for (const double square : squares) found.push_back(std::sqrt(square));
+        return found;
+    };
+    if (const auto words = told_as(roots(factors), questions, facts)) return "times the square of " + *words;
+    if (const auto words = told_as(roots(inverse), questions, facts)) return "divided by the square of " + *words;
     return std::nullopt;
 }
 
@@ -122,6 +140,39 @@ std::optional<std::string> argument(const WrongVectors& vectors, const std::vect
     return std::nullopt;
 }
 
+/// A vector of the question that is missing in what is answered, or that was added to it.
+std::optional<std::string> lacking(const WrongVectors& vectors, const std::vector<Fact>& facts)
+{
+    // Differences of floats are as good as a rounding of what they are between.
+    constexpr double of_floats = 4e-7;
+    std::vector<std::string> words;
+    for (const Fact& fact : facts) words.push_back(fact.words);
+    for (const auto& [name, first, size] : vectors_in(words)) {
+        if (facts[first].answer || size != vectors.components) continue;
+        bool lacks = true;
+        bool has = true;
+        std::set<std::vector<double>> different;
+        for (std::size_t i = 0; i < vectors.yours.size() && (lacks || has); ++i) {
+            std::vector<double> value;
+            for (std::size_t c = 0; c < size; ++c) value.push_back(facts[first + c].values.at(vectors.questions[i]));
+            const double tolerance = rounding * length_of(value) +
+                                     of_floats * std::max(length_of(vectors.yours[i]), length_of(vectors.right[i]));
+            const auto is_added = [&](double sign) {
+                for (std::size_t c = 0; c < size; ++c)
+                    if (!(std::abs(vectors.yours[i][c] - vectors.right[i][c] - sign * value[c]) <= tolerance))
+                        return false;
+                return true;
+            };
+            lacks = lacks && is_added(-1);
+            has = has && is_added(1);
+            if (length_of(value) > 100 * tolerance) different.insert(std::move(value));
+        }
+        if (different.size() >= least_different && lacks != has)
+            return lacks ? "lacks " + name : fmt::format("has {} too much", name);
+    }
+    return std::nullopt;
+}
+
 /// How many times the right vector each of these is; nothing if one is no multiple of it.
 std::optional<std::vector<double>> factors_of(const WrongVectors& vectors)
 {
@@ -140,7 +191,7 @@ std::optional<std::vector<double>> factors_of(const WrongVectors& vectors)
     return factors;
 }
 
-std::optional<std::string> multiple(const WrongVectors& vectors, const std::vector<Fact>& facts)
+std::optional<AnswerPattern> multiple_of(const WrongVectors& vectors, const std::vector<Fact>& facts)
 {
     const auto factors = factors_of(vectors);
     // Along one axis anything is a multiple.
@@ -151,12 +202,15 @@ std::optional<std::string> multiple(const WrongVectors& vectors, const std::vect
     // What is off by a rounding is no multiple of it.
     if (std::ranges::all_of(*factors, [](double factor) { return same(factor, 1); })) return std::nullopt;
     const auto as_first = [&](double factor) { return same(factor, factors->front()); };
-    if (std::ranges::all_of(*factors, as_first))
-        return same(factors->front(), -1) ? "is the right one with the opposite sign"
-                                          : fmt::format("is {} times the right one", number_text(factors->front()));
-    if (const auto words = as_factor(*factors, vectors.questions, facts)) return "is the right one " + *words;
+    if (std::ranges::all_of(*factors, as_first)) {
+        AnswerPattern found = multiple(factors->front());
+        found.words.insert(0, "is ");
+        return found;
+    }
+    if (const auto words = as_factor(*factors, vectors.questions, facts))
+        return AnswerPattern{"is the right one " + *words};
     if (std::ranges::all_of(*factors, [](double factor) { return factor > 0; }))
-        return "has the right direction, but not the right length";
+        return AnswerPattern{"has the right direction, but not the right length"};
     return std::nullopt;
 }
 
@@ -205,12 +259,39 @@ std::optional<std::string> relation_of(const WrongNumbers& numbers, const std::v
     return linear(numbers.yours, numbers.right);
 }
 
-std::optional<std::string> relation_of(const WrongVectors& vectors, const std::vector<Fact>& facts)
+std::optional<AnswerPattern> relation_of(const WrongVectors& vectors, const std::vector<Fact>& facts)
 {
     if (vectors.yours.empty()) return std::nullopt;
-    if (auto words = argument(vectors, facts)) return words;
-    if (auto words = multiple(vectors, facts)) return words;
-    return rearranged(vectors);
+    auto words = argument(vectors, facts);
+    if (!words)
+        if (auto found = multiple_of(vectors, facts)) return found;
+    if (!words) words = lacking(vectors, facts);
+    if (!words) words = rearranged(vectors);
+    return words ? std::optional(AnswerPattern{*std::move(words)}) : std::nullopt;
+}
+
+std::optional<int> sign_between(std::span<const double> yours, std::span<const double> others)
+{
+    if (yours.size() != others.size() || !vary(others)) return std::nullopt;
+    if (all_same(yours, others)) return 1;
+    if (std::ranges::equal(yours, others, [](double a, double b) { return same(a, -b); })) return -1;
+    return std::nullopt;
+}
+
+std::optional<int> sign_between(const std::vector<std::span<const double>>& yours,
+                                const std::vector<std::span<const double>>& others)
+{
+    std::set<std::vector<double>> different;
+    for (const auto other : others) different.emplace(other.begin(), other.end());
+    if (yours.size() != others.size() || different.size() < least_different) return std::nullopt;
+    const auto opposite = [](std::span<const double> a, std::span<const double> b) {
+        std::vector<double> negated(b.size());
+        std::ranges::transform(b, negated.begin(), std::negate{});
+        return alike_vectors(a, negated);
+    };
+    if (std::ranges::equal(yours, others, alike_vectors)) return 1;
+    if (std::ranges::equal(yours, others, opposite)) return -1;
+    return std::nullopt;
 }
 
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "question/answer_pattern.hpp"
 #include "question/facts.hpp"
 
 namespace umbral::grader {
@@ -31,8 +32,16 @@ struct WrongVectors {
     std::vector<std::size_t> questions;
 };
 
+/// 1 if all of `yours` are the numbers of `others` in the same places, -1 if they are all opposite; nothing if neither
+/// is so, or if too few differ.
+[[nodiscard]] std::optional<int> sign_between(std::span<const double> yours, std::span<const double> others);
+/// The same of vectors.
+[[nodiscard]] std::optional<int> sign_between(const std::vector<std::span<const double>>& yours,
+                                              const std::vector<std::span<const double>>& others);
+
 /// What each of these vectors is, in words that follow "every wrong answer": "is ray.origin", "is the right one times
-/// the length of normal", "has the right direction, but not the right length", "is (y, x, z) of the right one".
-[[nodiscard]] std::optional<std::string> relation_of(const WrongVectors& vectors, const std::vector<Fact>& facts);
+/// the length of normal", "lacks emission", "has the right direction, but not the right length", "is (y, x, z) of the
+/// right one".
+[[nodiscard]] std::optional<AnswerPattern> relation_of(const WrongVectors& vectors, const std::vector<Fact>& facts);
 
 }

@@ -4,15 +4,34 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 
 #include "question/possible_conditions.hpp"
 
 namespace umbral::grader {
 namespace {
 
+/// One number or length of the question and no bound, or a sign: that a product or a coordinate is just 0 may follow
+/// from how the questions were made.
+bool is_simple(const PossibleCondition& one, const std::vector<Fact>& facts)
+{
+    if (!one.fact || one.fitted) return false;
+    const Fact& fact = facts[*one.fact];
+    if (fact.first) return true;
+    if (fact.answer) return false;
+    const bool is_one = fact.kind == Fact::Kind::number || fact.kind == Fact::Kind::length;
+    return (is_one && !fact.component) || one.words.ends_with("negative") || one.words.ends_with("positive");
+}
+
 Condition measured(const PossibleCondition& candidate, const std::vector<Fact>& facts, const std::vector<bool>& wrong)
 {
-    Condition condition{candidate.words, candidate.holds, candidate.fitted, candidate.of_answer, {}};
+    Condition condition{candidate.words,
+                        candidate.holds,
+                        candidate.fitted,
+                        candidate.of_answer,
+                        is_simple(candidate, facts),
+                        candidate.fact,
+                        {}};
     for (std::size_t i = 0; i < wrong.size(); ++i) {
         const bool holds = candidate.holds(facts, i);
         ++(wrong[i] ? condition.wrong : condition.right);
@@ -61,6 +80,7 @@ void offer_joined(const std::vector<PossibleCondition>& candidates, const std::v
     constexpr int joining = 6;
     std::vector<std::pair<Condition, const PossibleCondition*>> wide;
     for (const PossibleCondition& candidate : candidates) {
+        if (candidate.accidental) continue;
         Condition one = measured(candidate, facts, wrong);
         const bool covers = static_cast<double>(one.wrong_where) >= least_parted * static_cast<double>(one.wrong);
         if (covers && one.right_where < one.right) wide.emplace_back(std::move(one), &candidate);
@@ -87,6 +107,60 @@ void offer_joined(const std::vector<PossibleCondition>& candidates, const std::v
             if (each_needed && joined.right_where == 0 && joined.wrong_where == joined.wrong)
                 found.offer(std::move(joined), both.cost);
         }
+    }
+}
+
+/// What is said of a fact: " is odd".
+std::string_view said_of(const PossibleCondition& one, const std::vector<Fact>& facts)
+{
+    const std::string& words = facts[*one.fact].words;
+    return one.words.starts_with(words) ? std::string_view(one.words).substr(words.size()) : std::string_view();
+}
+
+/// "viewport" of "viewport.width", and of "width" nothing: what numbers that are said the same of belong to.
+std::string_view owner_of(std::string_view words)
+{
+    const std::size_t end = words.find_last_of(".[");
+    return end == std::string_view::npos ? std::string_view() : words.substr(0, end);
+}
+
+/// The same of two or three numbers that lie together, one of which is enough: "a.width is odd or a.height is odd".
+/// Each must hold of no right answer, and be needed.
+void offer_either(const std::vector<PossibleCondition>& candidates, const std::vector<Fact>& facts,
+                  const std::vector<bool>& wrong, Found& found)
+{
+    constexpr std::size_t most = 3;
+    constexpr int joining = 7;
+    std::map<std::pair<std::string_view, std::string_view>, std::vector<const PossibleCondition*>> alike;
+    for (const PossibleCondition& candidate : candidates) {
+        if (candidate.accidental || candidate.fitted || !candidate.fact || candidate.of_answer) continue;
+        if (facts[*candidate.fact].kind != Fact::Kind::number || said_of(candidate, facts).empty()) continue;
+        const Condition one = measured(candidate, facts, wrong);
+        if (one.right_where == 0 && one.wrong_where >= least_questions)
+            alike[{owner_of(facts[*candidate.fact].words), said_of(candidate, facts)}].push_back(&candidate);
+    }
+    for (const auto& [what, several] : alike) {
+        if (several.size() < 2 || several.size() > most) continue;
+        std::vector<std::string> words;
+        std::vector<std::function<bool(const std::vector<Fact>&, std::size_t)>> tests;
+        for (const PossibleCondition* const one : several) {
+            words.push_back(one->words);
+            tests.push_back(one->holds);
+        }
+        const auto any_but = [tests](std::size_t left_out) {
+            return [tests, left_out](const std::vector<Fact>& all, std::size_t question) {
+                for (std::size_t i = 0; i < tests.size(); ++i)
+                    if (i != left_out && tests[i](all, question)) return true;
+                return false;
+            };
+        };
+        const int cost = joining + several.front()->cost;
+        const Condition joined =
+            measured({fmt::format("{}", fmt::join(words, " or ")), any_but(tests.size()), cost}, facts, wrong);
+        bool each_needed = joined.wrong_where == joined.wrong;
+        for (std::size_t i = 0; each_needed && i < tests.size(); ++i)
+            each_needed = measured({"", any_but(i), cost}, facts, wrong).wrong_where + 2 <= joined.wrong_where;
+        if (each_needed) found.offer(joined, cost);
     }
 }
 
@@ -139,7 +213,9 @@ std::optional<Condition> simplest_condition(const std::vector<Fact>& facts, cons
     if (count < least_questions || wrong.size() - count < least_questions) return std::nullopt;
     const std::vector<PossibleCondition> all = possible_conditions(facts, wrong);
     Found found;
-    for (const PossibleCondition& candidate : all) found.offer(measured(candidate, facts, wrong), candidate.cost);
+    for (const PossibleCondition& candidate : all)
+        if (!candidate.accidental) found.offer(measured(candidate, facts, wrong), candidate.cost);
+    if (!found.condition) offer_either(all, facts, wrong, found);
     if (!found.condition) offer_joined(all, facts, wrong, found);
     // What is to be found is reason enough.
     if (found.condition && !found.condition->of_answer)

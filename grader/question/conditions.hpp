@@ -17,6 +17,8 @@ struct Condition {
     std::function<bool(const std::vector<Fact>& facts, std::size_t question)> holds;
     bool fitted = false;     ///< holds a bound that was put between these very questions
     bool of_answer = false;  ///< tells of the right answer's numbers, and not of the question's alone
+    bool is_simple = false;  ///< tells of one number, length or sign in the question, and of no bound of its own
+    std::optional<std::size_t> fact{};  ///< the only one that it looks at, if it is one
     /// Other numbers of the questions by which these are told apart alike: what the reason is, they do not show.
     std::vector<std::string> also_told_by{};
     std::size_t wrong = 0;        ///< questions with wrong answers …
@@ -32,9 +34,9 @@ inline constexpr double least_parted = 0.97;
 /// Does `condition` part these questions so well?
 [[nodiscard]] bool parts(const Condition& condition, const std::vector<Fact>& facts, const std::vector<bool>& wrong);
 
-/// The simplest condition on the facts that parts the questions for which `wrong` is true from the others; two joined
-/// by "and" where no single one does. Nothing if none does so nearly everywhere, or if there are fewer than four of
-/// either: so few are parted by chance.
+/// The simplest condition on the facts that parts the questions for which `wrong` is true from the others; the same of
+/// two or three numbers joined by "or", or any two joined by "and", where no single one does. Nothing if none does so
+/// nearly everywhere, or if there are fewer than four of either: so few are parted by chance.
 [[nodiscard]] std::optional<Condition> simplest_condition(const std::vector<Fact>& facts,
                                                           const std::vector<bool>& wrong);
 

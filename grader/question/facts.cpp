@@ -83,6 +83,15 @@ Fact fact(std::string words, Fact::Kind kind, const QuestionTable& table, const 
     return result;
 }
 
+/// A product, and how large it is without its sign: what is small is taken for nothing by who compares with a bound.
+template <class Value>
+void add_product(std::string words, const QuestionTable& table, const Value& value, std::vector<Fact>& facts)
+{
+    facts.push_back(fact("the size of " + words, Fact::Kind::product, table,
+                         [&](const auto& row) { return std::abs(value(row)); }));
+    facts.push_back(fact(std::move(words), Fact::Kind::product, table, value));
+}
+
 /// Of three vectors that are all of a struct or an array.
 void add_triples(const QuestionTable& table, const std::vector<VectorColumns>& vectors, std::vector<Fact>& facts)
 {
@@ -96,13 +105,17 @@ void add_triples(const QuestionTable& table, const std::vector<VectorColumns>& v
         if (!together || a.first >= table.answers || a.size > 3) continue;
         const std::string words = fmt::format("{}, {} and {}", a.words, b.words, c.words);
         if (a.size == 2)
-            facts.push_back(fact("the signed area of " + words, Fact::Kind::product, table,
-                                 [&](const auto& row) { return signed_area(row, a, b, c); }));
+            add_product(
+                "the signed area of " + words, table, [&](const auto& row) { return signed_area(row, a, b, c); },
+                facts);
         else
-            facts.push_back(fact("the determinant of " + words, Fact::Kind::product, table, [&](const auto& row) {
-                const auto column = [&row](const VectorColumns& one) { return glm::make_vec3(&row[one.first]); };
-                return glm::determinant(glm::dmat3(column(a), column(b), column(c)));
-            }));
+            add_product(
+                "the determinant of " + words, table,
+                [&](const auto& row) {
+                    const auto column = [&row](const VectorColumns& one) { return glm::make_vec3(&row[one.first]); };
+                    return glm::determinant(glm::dmat3(column(a), column(b), column(c)));
+                },
+                facts);
     }
 }
 
@@ -116,8 +129,8 @@ void add_determinants(const QuestionTable& table, std::vector<Fact>& facts)
         std::size_t side = 1;
         while (i + side < table.names.size() && table.names[i + side] == fmt::format("{}[0][{}]", base, side)) ++side;
         if (side < 2 || side > 4 || i + side * side > table.names.size()) continue;
-        facts.push_back(fact("the determinant of " + base, Fact::Kind::product, table,
-                             [&](const auto& row) { return determinant(&row[i], side); }));
+        add_product(
+            "the determinant of " + base, table, [&](const auto& row) { return determinant(&row[i], side); }, facts);
     }
 }
 

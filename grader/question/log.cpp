@@ -111,6 +111,14 @@ void read_others(std::string_view text, QuestionLog& log)
     }
 }
 
+void read_histories(std::string_view text, QuestionLog& log)
+{
+    for (const std::string_view line : lines_of(text)) {
+        const std::vector<std::string_view> words = split(line, '\t');
+        log.histories[std::string(words.front())].assign(words.begin() + 1, words.end());
+    }
+}
+
 }
 
 std::optional<std::uint32_t> QuestionLog::question_of(std::string_view value, std::size_t cell, std::size_t cells) const
@@ -160,6 +168,7 @@ QuestionLog read_questions(const Recorder::Tensors& tensors)
     read_code(text_of(tensors, question_names::code), log);
     read_kinds(tensors, log);
     read_others(text_of(tensors, question_names::others), log);
+    read_histories(text_of(tensors, question_names::histories), log);
     return log;
 }
 

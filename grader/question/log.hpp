@@ -46,6 +46,8 @@ struct QuestionLog {
     std::map<std::uint32_t, std::string> code;
     std::vector<QuestionKind> kinds;
     std::vector<OtherQuestion> others;  ///< that can be asked in place of these
+    /// For each function that objects were asked by: those that made them, or may have changed them before.
+    std::map<std::string, std::vector<std::string>, std::less<>> histories;
 
     /// The question behind a row of a table, or behind a cell of a picture that was asked cell by cell. Nothing if that
     /// is not known.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace umbral::grader {
 namespace {
@@ -113,6 +114,19 @@ double between(double low, double high)
     return high;
 }
 
+/// Do so many of these values, which are different and in order, lie on either side of the first one from `bound` on,
+/// and so near, that it says where wrong ones begin? Between few groups of equal numbers a bound can be put anywhere.
+bool is_close(const std::vector<double>& values, double bound)
+{
+    constexpr std::ptrdiff_t least_whole = 2;  ///< of counts and sizes; of one, it is said that they are that one
+    constexpr std::ptrdiff_t least = 4;
+    constexpr double most_gap = 0.125;  ///< of what all values span
+    const auto place = std::ranges::lower_bound(values, bound);
+    const auto fewer = std::min(place - values.begin(), values.end() - place);
+    if (std::ranges::all_of(values, is_integer)) return fewer >= least_whole;
+    return fewer >= least && *place - *(place - 1) <= most_gap * (values.back() - values.front());
+}
+
 /// Where wrong answers lie on one side: "is less than 2", "is 7 or more".
 void add_threshold(const std::vector<Fact>& facts, std::size_t i, const std::vector<bool>& wrong,
                    std::vector<PossibleCondition>& all)
@@ -128,6 +142,9 @@ void add_threshold(const std::vector<Fact>& facts, std::size_t i, const std::vec
         if (std::isfinite(fact.values[k])) sorted.push_back({fact.values[k], wrong[k]});
     if (sorted.size() < 2 * least_questions) return;
     std::ranges::sort(sorted, {}, &Pair::value);
+    std::vector<double> values;
+    for (const Pair& one : sorted)
+        if (values.empty() || one.value != values.back()) values.push_back(one.value);
     std::size_t all_wrong = static_cast<std::size_t>(std::ranges::count(sorted, true, &Pair::wrong));
     std::size_t best = 0;
     std::size_t best_errors = sorted.size();
@@ -144,9 +161,11 @@ void add_threshold(const std::vector<Fact>& facts, std::size_t i, const std::vec
         best_below = if_below < if_above;
     }
     if (best == 0) return;
-    const double bound = between(sorted[best - 1].value, sorted[best].value);
-    const bool coordinate = fact.component || fact.kind == Fact::Kind::coordinate;
-    const int cost = (coordinate ? 5 : 4) + (fact.kind == Fact::Kind::number ? 0 : 1);
+    // Codes and counts: nothing lies between them, and what is right has no order that anybody thinks of.
+    const bool whole = std::ranges::all_of(values, is_integer);
+    const double bound = whole ? sorted[best].value : between(sorted[best - 1].value, sorted[best].value);
+    // What needs no number is simpler, if it parts them as well.
+    const int cost = std::max(cost_of(fact), 0) + 4;
     all.push_back({fmt::format("{} is {} {:.6g}", fact.words, best_below ? "less than" : "at least", bound),
                    [i, bound, best_below](const std::vector<Fact>& others, std::size_t question) {
                        // What is not a number is neither.
@@ -154,6 +173,17 @@ void add_threshold(const std::vector<Fact>& facts, std::size_t i, const std::vec
                        return best_below ? value < bound : value >= bound;
                    },
                    cost, bound != 0});
+    all.back().accidental = (whole && fact.answer) || !is_close(values, sorted[best].value);
+}
+
+/// Are two facts equal to each other with several values?
+bool are_equal_often(const Fact& a, const Fact& b)
+{
+    constexpr std::size_t least_values = 3;
+    std::set<double> values;
+    for (std::size_t i = 0; i < a.values.size() && values.size() < least_values; ++i)
+        if (a.values[i] == b.values[i]) values.insert(a.values[i]);
+    return values.size() >= least_values;
 }
 
 /// Of two facts that measure alike: "the distance between ray.origin and sphere.centre is less than sphere.radius".
@@ -184,6 +214,8 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
         add(
             "greater than", [](double x, double y) { return x > y; }, 0);
     }
+    // Two that measure different things are equal by chance, where they are always the same number.
+    if (a.value_names.empty() && !are_equal_often(a, b)) return;
     add(
         "equal to", [](double x, double y) { return x == y; }, 0);
     add(

@@ -21,6 +21,7 @@ struct PossibleCondition {
     bool fitted = false;                ///< as in Condition
     bool of_answer = false;             ///< likewise
     std::optional<std::size_t> fact{};  ///< the one that it looks at, if it is one
+    bool accidental = false;  ///< a bound between groups of equal numbers: it tells that they differ, and no more
 };
 
 /// What can be said of one fact, or of two beside each other: signs, zeros, names, bounds between right and wrong

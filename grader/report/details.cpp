@@ -107,14 +107,28 @@ void add_first_failing(Block& block, const CheckResult& check, std::string_view 
         block.sentence(shorten(paint.safe(kind), label_width - 2, paint.ellipsis()), path);
 }
 
+/// Does the reason that is given say the same of wrong answers: that they are so many times the right ones, or negated?
+bool is_told(CommonTells tells, std::span<const Explanation> reasons)
+{
+    const auto given = [&](std::string_view name) {
+        return std::ranges::find(reasons, name, &Explanation::name) != reasons.end();
+    };
+    return (tells == CommonTells::multiple && given("scaled")) || (tells == CommonTells::opposite && given("negated"));
+}
+
 /// What wrong answers have in common: of the check that is shown, or, where no reason is known, of the first other that
-/// has something to tell.
+/// tells what they are, before where they lie.
 void add_pattern(Block& block, const UnitResult& unit, const std::vector<const CheckResult*>& failing)
 {
-    const auto found = std::ranges::find_if(failing, [](const CheckResult* check) { return !check->common.empty(); });
-    if (found == failing.end() || (*found != failing.front() && !main_reasons(unit).empty())) return;
-    const std::string where = *found == failing.front() ? "" : fmt::format("in {}: ", (*found)->name);
-    block.sentence("pattern", where + (*found)->common);
+    if (failing.empty()) return;
+    const bool explained = !main_reasons(unit).empty();
+    const auto telling = std::ranges::find_if(failing, [&](const CheckResult* check) {
+        return !check->common.empty() && !is_vague(check->common_tells) && (check == failing.front() || !explained);
+    });
+    const CheckResult* const said = telling != failing.end() ? *telling : failing.front();
+    const bool vague = is_vague(said->common_tells);
+    if (said->common.empty() || (vague && explained) || is_told(said->common_tells, main_reasons(unit))) return;
+    block.sentence("pattern", (said == failing.front() ? "" : fmt::format("in {}: ", said->name)) + said->common);
 }
 
 void add_reasons(Block& block, const UnitResult& unit)

@@ -35,6 +35,7 @@ SubmissionResult without_hidden_values(SubmissionResult submission)
                          .metrics = {},
                          .first_difference = {},
                          .common = {},
+                         .common_tells = {},
                          .practice = std::move(check.practice),
                          .practice_example = std::move(check.practice_example),
                          .simplest = {},

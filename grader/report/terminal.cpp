@@ -179,8 +179,12 @@ std::string terminal_report(const SubmissionResult& submission, const TerminalSt
     lines.erase(lines.begin());
 
     const std::string indent(margin, ' ');
-    std::string text = fmt::format(
-        "\n{}{}\n\n", indent, paint(Tone::strong, shorten(paint.safe(shown.id), width - 2 * margin, paint.ellipsis())));
+    std::string text = "\n";
+    // One's own work has no name.
+    if (!shown.id.empty()) {
+        const std::string name = shorten(paint.safe(shown.id), width - 2 * margin, paint.ellipsis());
+        text += fmt::format("{}{}\n\n", indent, paint(Tone::strong, name));
+    }
     text += row(columns, heading, " ", std::string(bar_cells, ' '), Tone::quiet, Tone::quiet, paint);
     for (const Line& line : lines)
         text += row(columns, line, paint.mark(line.verdict),

@@ -21,6 +21,7 @@
 #include <umbral/record/wire.hpp>
 
 #include "model/nearest.hpp"
+#include "run/answers_to_others.hpp"
 #include "run/companion.hpp"
 #include "run/descriptor.hpp"
 #include "run/emulated_calls.hpp"
@@ -161,21 +162,6 @@ std::string no_such_case(const Driver& driver, const std::string& name)
         static_cast<volatile char*>(alloca(reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0)) % step + 1));
     *gap = 0;
     one.run(what, recorder);
-}
-
-/// What the case records if others are asked in place of its questions, once for each of them.
-Recorder::Tensors answers_to_others(const DriverCase& one, const Case& what, const std::vector<OtherQuestion>& others)
-{
-    Recorder::Tensors all;
-    for (std::size_t i = 0; i < others.size(); ++i) {
-        Questions questions({}, others[i]);
-        Recorder recorder(questions);
-        Case again = what;
-        run_case(one, again, recorder);
-        for (const auto& [name, tensor] : recorder.tensors())
-            all[std::to_string(i) + question_names::of_other + name] = tensor;
-    }
-    return all;
 }
 
 /// Hands the recording over and ends the run.

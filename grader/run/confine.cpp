@@ -45,8 +45,10 @@ pid_t start(const ConfinedCommand& command, int output)
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     const std::string temporary = "TMPDIR=" + command.directory.string();
+    // The same files compile to the same, whenever that is: __TIME__ is the beginning of 2020.
     std::array environment{const_cast<char*>("PATH=/usr/bin:/bin"), const_cast<char*>("LC_ALL=C.UTF-8"),
-                           const_cast<char*>(temporary.c_str()), static_cast<char*>(nullptr)};
+                           const_cast<char*>("SOURCE_DATE_EPOCH=1577836800"), const_cast<char*>(temporary.c_str()),
+                           static_cast<char*>(nullptr)};
 
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);

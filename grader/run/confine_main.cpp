@@ -123,9 +123,9 @@ int run(const Command& command)
     if (child == 0) exec_program(command, theirs.get());
     theirs.reset();
     std::byte byte{};
-    const Packet packet = receive_packet(ours.get(), {&byte, 1});
+    Packet packet = receive_packet(ours.get(), {&byte, 1});
     if (!packet.descriptors.empty())
-        guard_paths(packet.descriptors.front().get(), child,
+        guard_paths(std::move(packet.descriptors.front()), child,
                     PathRules(std::filesystem::canonical(command.directory), command.rules));
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {

@@ -233,6 +233,7 @@ RunOutcome judge_end(const protocol::Ended& ended, bool confined, std::span<cons
     outcome.wall_seconds = ended.wall_seconds;
     outcome.waited_seconds = ended.waited_seconds;
     outcome.cpu_seconds = ended.cpu_seconds;
+    outcome.peak_memory_kib = ended.peak_memory_kib;
     outcome.killed_from_outside = confined && killed_from_outside(ended, request.limits);
     outcome.output = std::move(output);
     // What keeps us from running anything is for whoever runs the machine: there the paths are the point.

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "run/descriptor.hpp"
 #include "run/sandbox.hpp"
 
 namespace umbral::grader {
@@ -36,7 +37,8 @@ private:
 
 /// Answers the calls that sandbox::compiler_filter(true) holds back, for the process `child` and all that it starts,
 /// until it ends. `listener` is what installing the filter gave. The program is trusted, and only what it reads is not:
-/// so a path may be read and then the call let go.
-void guard_paths(int listener, pid_t child, const PathRules& rules);
+/// so a path may be read and then the call let go. Whoever asks far more often than compiling takes gets no more
+/// answers: then every path is refused alike.
+void guard_paths(Descriptor listener, pid_t child, const PathRules& rules);
 
 }

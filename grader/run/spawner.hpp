@@ -50,6 +50,7 @@ struct RunOutcome {
     double wall_seconds = 0;           ///< since it entered its sandbox
     double waited_seconds = 0;         ///< of these: ready to compute while others had the processors
     double cpu_seconds = 0;
+    std::int64_t peak_memory_kib = 0;  ///< the most that it held at once, with our own part
     bool killed_from_outside = false;  ///< neither its own doing nor our limits ended it
 };
 

@@ -97,7 +97,10 @@ std::optional<double> error_on_curve(const std::map<std::string, double>& metric
 std::optional<UnitCurve> curve_of(Worker& worker, const Exercise& exercise, const UnitResult& result,
                                   const CaseResults& cases)
 {
-    if (!exercise.knob || 2 * result.score < result.max_score) return std::nullopt;
+    // Of work that is wrong where nothing is hard, nobody asks yet how accurate it is.
+    const auto is_wrong = [](const CheckResult& check) { return !check.hard && check.score < check.max_score; };
+    if (!exercise.knob || 2 * result.score < result.max_score || std::ranges::any_of(result.checks, is_wrong))
+        return std::nullopt;
     const UnitKnob& knob = *exercise.knob;
     const auto place = std::ranges::find(exercise.checks, knob.check, &Check::name) - exercise.checks.begin();
     const Check& check = exercise.checks[static_cast<std::size_t>(place)];

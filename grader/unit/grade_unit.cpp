@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <umbral/core/random.hpp>
 
 #include "explain/explain_unit.hpp"
@@ -26,6 +27,7 @@
 #include "unit/troubles.hpp"
 #include "unit/worth_with_others.hpp"
 #include "worker/case_results.hpp"
+#include "worker/past_crashes.hpp"
 #include "worker/student_case.hpp"
 #include "worker/weigh_cost.hpp"
 
@@ -80,7 +82,7 @@ Verdict verdict_of(const UnitResult& result, const CaseResults& cases)
         };
         if (std::any_of(cases.begin(), cases.end(), refused)) return Verdict::blocked;
         const auto failed = [&](const auto& entry) {
-            return entry.second.hidden == hidden && entry.second.student.verdict != Verdict::ok;
+            return entry.second.hidden == hidden && entry.second.reached && entry.second.student.verdict != Verdict::ok;
         };
         const auto stopped = std::find_if(cases.begin(), cases.end(), failed);
         if (stopped != cases.end()) return stopped->second.student.verdict;
@@ -138,12 +140,19 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
         return result;
     }
     CaseResults cases;
-    worker.spare_time().allow(exercise.limits.wall_seconds);
-    for (const std::string& name : shuffled_cases(exercise, options.seeds))
-        cases.emplace(
-            name, may_run_another(cases, exercise.limits)
-                      ? run_case(worker, exercise, built, name, options.seeds.seed_of(exercise, name), options.explain)
-                      : not_reached(options.seeds.seed_of(exercise, name), is_hidden_case(exercise, name)));
+    worker.allow_spare_time(exercise.limits.wall_seconds);
+    std::optional<std::vector<std::string>> hung;
+    for (const std::string& name : shuffled_cases(exercise, options.seeds)) {
+        const std::uint64_t seed = options.seeds.seed_of(exercise, name);
+        if (may_run_another(worker.budget(), cases, exercise.limits)) {
+            cases.emplace(name, run_case(worker, exercise, built, name, seed, options.explain));
+            continue;
+        }
+        // What hangs costs nothing of what does not.
+        CaseResult& one = cases.emplace(name, not_reached(seed, is_hidden_case(exercise, name))).first->second;
+        if (!hung) hung = functions_that_hung(worker, exercise, cases);
+        run_without(worker, exercise, built, name, *hung, one);
+    }
     UnitResult result = without_points(exercise, Verdict::wrong, "");
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
@@ -164,14 +173,15 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
         result.seconds += one.student.wall_seconds;
         result.reference_seconds += one.reference_seconds;
     }
-    result.settled = built.repeatable && std::ranges::none_of(cases, [&](const auto& entry) {
-                         return was_starved(entry.second.student, exercise.limits);
-                     });
+    const bool starved = std::ranges::any_of(
+        cases, [&](const auto& entry) { return was_starved(entry.second.student, exercise.limits); });
+    // Without other units that take too long it may come out otherwise.
+    result.settled = built.repeatable && !starved && worker.budget().left() > 0;
     result.message = troubles(cases);
     result.output = printed_text(exercise, cases);
     // What the sandbox refused is reason enough for no points.
     const bool explains = options.explain && result.verdict != Verdict::ok && result.verdict != Verdict::blocked;
-    worker.spare_time().allow(exercise.limits.wall_seconds);
+    worker.allow_spare_time(exercise.limits.wall_seconds);
     if (explains)
         beside_the_grade(result, [&] {
             result.explanations = explain_unit(worker, exercise, result, cases);
@@ -205,6 +215,7 @@ UnitResult guarded(Worker& worker, const Exercise& exercise, const GradeOptions&
     UnitResult result;
     try {
         worker.let_go();
+        worker.bound_runs(UnitBudget(options.budgets.running));
         result = grade();
     } catch (const std::exception& fault) {
         result = grader_fault(exercise, fault.what());
@@ -233,7 +244,7 @@ UnitResult grade_handed(Worker& worker, const Exercise& exercise, const Handed& 
         if (equals_stub(handed.files, exercise))
             return without_points(exercise, Verdict::not_implemented, "the file is still the stub");
         Toolchain tools = worker.tools();
-        if (options.compile_budget) tools.budget = std::make_shared<UnitBudget>(options.compile_budget);
+        if (options.budgets.compiling) tools.budget = std::make_shared<UnitBudget>(options.budgets.compiling);
         return judged_in_full(worker, exercise, build(tools, exercise, handed.files), options, detail);
     });
     // A fault's message is kept as it is: others look for its cause in it.

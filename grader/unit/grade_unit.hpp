@@ -1,13 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "build/submission.hpp"
 #include "model/exercise.hpp"
 #include "model/scorecard.hpp"
+#include "model/time_budget.hpp"
 #include "report/html/evidence.hpp"
 #include "worker/known_solutions.hpp"
 #include "worker/seeds.hpp"
@@ -22,9 +22,9 @@ struct GradeOptions {
     bool questions = true;              ///< what was asked behind wrong values, and what those have in common
     std::filesystem::path artefacts;    ///< where pictures go; empty for none
     std::filesystem::path relative_to;  ///< pictures are named relative to this in the report
-    std::shared_ptr<CompileBudget> compile_budget{};  ///< of the submission; null: no bound but each compiler's own
-    bool other_inputs = false;                        ///< visible cases must earn their points with secret inputs too
-    bool show_hidden = false;                         ///< evidence of hidden checks too: for instructors only
+    SubmissionBudgets budgets{};
+    bool other_inputs = false;  ///< visible cases must earn their points with secret inputs too
+    bool show_hidden = false;   ///< evidence of hidden checks too: for instructors only
 };
 
 /// Grades what was handed in for one unit. Never throws for what a student did; what goes wrong on our side becomes the

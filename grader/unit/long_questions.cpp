@@ -12,6 +12,9 @@ namespace {
 constexpr std::size_t most_files = 3;
 constexpr std::size_t most_bytes = std::size_t{1} << 20U;
 
+/// Does code leave elements of lists out? It says "… 12 more" in their place.
+bool is_shortened(const std::string& code) { return code.find("…") != std::string::npos; }
+
 /// The question behind a check's first wrong value with all elements of its lists; empty if that is not known.
 std::string in_full(Worker& worker, const Exercise& exercise, const Check& check, const CaseResult& one,
                     const Difference& first)
@@ -39,7 +42,8 @@ void save_long_questions(Worker& worker, const Exercise& exercise, const CaseRes
     for (std::size_t i = 0; i < exercise.checks.size() && saved < most_files; ++i) {
         const Check& check = exercise.checks[i];
         CheckResult& found = result.checks[i];
-        if (check.hidden || !found.first_difference || found.first_difference->question.empty()) continue;
+        // What is shown in full needs no file, and finding that out a run.
+        if (check.hidden || !found.first_difference || !is_shortened(found.first_difference->question)) continue;
         const std::string code = in_full(worker, exercise, check, cases.at(check.case_name), *found.first_difference);
         if (code.empty() || code == found.first_difference->question || code.size() > most_bytes) continue;
         const std::filesystem::path file = options.artefacts / artefact_name(exercise, check, ".txt");

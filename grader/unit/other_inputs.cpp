@@ -89,7 +89,7 @@ void ask_once(Worker& worker, const Exercise& exercise, const Built& built, cons
         const std::uint64_t seed = options.seeds.other_seed_of(exercise, check.case_name, round);
         const std::string in_round = fmt::format("{} {}", round, check.case_name);
         if (!again.contains(in_round))
-            again.emplace(in_round, may_run_another(again, exercise.limits)
+            again.emplace(in_round, may_run_another(worker.budget(), again, exercise.limits)
                                         ? run_case(worker, exercise, built, check.case_name, seed, false)
                                         : not_reached(seed, false));
         const CaseResult& first = cases.at(check.case_name);

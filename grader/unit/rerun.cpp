@@ -34,7 +34,7 @@ void rerun_borderline(Worker& worker, const Exercise& exercise, const Built& bui
         if (!before.borderline) continue;
         const CaseResult& one = cases.at(check.case_name);
         const auto [fresh, added] = again.try_emplace(check.case_name);
-        if (added && !may_run_another(again, exercise.limits)) {
+        if (added && !may_run_another(worker.budget(), again, exercise.limits)) {
             fresh->second = not_reached(options.seeds.fresh_seed_of(exercise, check.case_name), one.hidden);
         } else if (added) {
             fresh->second.seed = options.seeds.fresh_seed_of(exercise, check.case_name);

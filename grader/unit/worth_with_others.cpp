@@ -19,6 +19,12 @@ namespace {
 /// What a picture has in common with the right one, at a glance, that is enough for all points.
 constexpr double enough = 0.5;
 
+/// What its outlines must have in common, in whatever colours: any blob in the middle has this much, which is worth
+/// nothing, …
+constexpr double outline_of_anything = 0.6;
+/// … and a right one this.
+constexpr double enough_outline = 0.9;
+
 /// Calls that draw nothing of the right picture keep half: they are the right ones, and only what they are given is
 /// not.
 constexpr double least_of_calls = 0.5;
@@ -46,9 +52,10 @@ double share_of(Worker& worker, const Exercise& exercise, const Check& check, co
     if (mine == nullptr || right == nullptr || !well_formed(*mine) || right->cells() == 0 ||
         shape_error(check, *mine, *right))
         return share;
-    const double drawn = std::max(likeness(check, *mine, *right).value_or(0),
-                                  likeness(check, outline(*mine), outline(*right)).value_or(0));
-    return std::max(share, std::min(drawn / enough, 1.0));
+    const double colours = likeness(check, *mine, *right).value_or(0) / enough;
+    const double places = (likeness(check, outline(*mine), outline(*right)).value_or(0) - outline_of_anything) /
+                          (enough_outline - outline_of_anything);
+    return std::max(share, std::min(std::max(colours, places), 1.0));
 }
 
 /// The checks that this one hangs on, of which the best counts; none if it hangs on none.
@@ -68,31 +75,37 @@ std::vector<std::size_t> others_of(const Exercise& exercise, const Check& check)
     return in_case.empty() ? find(is_picture) : in_case;
 }
 
+/// Takes from a check what those that it hangs on, as they stand, do not bear.
+void weigh(Worker& worker, const Exercise& exercise, const CaseResults& cases, std::size_t which, UnitResult& result)
+{
+    const Check& check = exercise.checks[which];
+    CheckResult& earned = result.checks[which];
+    const std::vector<std::size_t> others = others_of(exercise, check);
+    double best = others.empty() ? 1 : check.with.empty() ? least_of_calls : 0;
+    for (const std::size_t other : others) {
+        const Check& that = exercise.checks[other];
+        best = std::max(best, share_of(worker, exercise, that, cases.at(that.case_name), result.checks[other]));
+    }
+    const auto most = static_cast<Millipoints>(std::floor(static_cast<double>(check.points) * best));
+    if (earned.score <= most) return;
+    earned.held_back = earned.score == earned.max_score;
+    earned.message +=
+        fmt::format("{}{}: {} of {} points count", earned.message.empty() ? "" : "; ",
+                    check.with.empty() ? "these calls draw too little of the right picture"
+                                       : fmt::format("worth no more than \"{}\", which is not right", check.with),
+                    points_text(most), points_text(check.points));
+    earned.score = most;
+}
+
 }
 
 void weigh_with_others(Worker& worker, const Exercise& exercise, const CaseResults& cases, UnitResult& result)
 {
-    const std::vector<CheckResult> before = result.checks;
-    for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
-        const Check& check = exercise.checks[i];
-        CheckResult& earned = result.checks[i];
-        if (earned.score == 0) continue;
-        const std::vector<std::size_t> others = others_of(exercise, check);
-        double best = others.empty() ? 1 : check.with.empty() ? least_of_calls : 0;
-        for (const std::size_t other : others) {
-            const Check& that = exercise.checks[other];
-            best = std::max(best, share_of(worker, exercise, that, cases.at(that.case_name), before[other]));
-        }
-        const auto most = static_cast<Millipoints>(std::floor(static_cast<double>(check.points) * best));
-        if (earned.score <= most) continue;
-        earned.held_back = earned.score == earned.max_score;
-        earned.message +=
-            fmt::format("{}{}: {} of {} points count", earned.message.empty() ? "" : "; ",
-                        check.with.empty() ? "these calls draw too little of the right picture"
-                                           : fmt::format("worth no more than \"{}\", which is not right", check.with),
-                        points_text(most), points_text(check.points));
-        earned.score = most;
-    }
+    // Calls hang on pictures, and other checks on either: so calls are weighed first.
+    for (const bool named : {false, true})
+        for (std::size_t i = 0; i < exercise.checks.size(); ++i)
+            if (result.checks[i].score > 0 && exercise.checks[i].with.empty() != named)
+                weigh(worker, exercise, cases, i, result);
 }
 
 }

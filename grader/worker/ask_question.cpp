@@ -9,6 +9,7 @@
 #include "judge/rows/tensor_view.hpp"
 #include "model/scratch.hpp"
 #include "text/printable.hpp"
+#include "worker/case_results.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -137,8 +138,10 @@ AskedQuestion ask_question(Worker& worker, const Exercise& exercise, const Built
         asked.refused = driver.diagnostics;
         return asked;
     }
-    asked.reference = answer_in(worker.answer(exercise, Answers::reference, *driver.library));
-    if (!asked.reference.given) asked.refused = missing_beside(exercise);
+    const RunOutcome reference = worker.answer(exercise, Answers::reference, *driver.library);
+    asked.reference = answer_in(reference);
+    // What a question lacks ends it at once; a question that is a loop, or fills the memory, lacks nothing.
+    if (!asked.reference.given && !is_endless(reference, exercise.limits)) asked.refused = missing_beside(exercise);
     if (!asked.refused.empty()) return asked;
     if (std::ranges::any_of(exercise.checks, &Check::hard))
         asked.oracle = answer_in(worker.answer(exercise, Answers::oracle, *driver.library));

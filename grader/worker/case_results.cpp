@@ -79,23 +79,26 @@ Unjudged unjudged_in(const CaseResult& one)
     return one.student.verdict == Verdict::ok ? Unjudged::no : Unjudged::stopped;
 }
 
-/// Or as good as that?
-bool ran_into_the_limit(const CaseResult& one, const Limits& limits)
-{
-    return one.reached && (one.student.verdict == Verdict::timeout || slept_long(one.student, limits));
 }
 
+bool is_endless(const RunOutcome& run, const Limits& limits)
+{
+    // A list that doubles its room has held half of the limit at least when it may not grow again.
+    const bool filled = 8 * (run.peak_memory_kib >> 10) > std::int64_t{3} * limits.memory_mib;
+    return run.verdict == Verdict::timeout || (run.verdict == Verdict::out_of_memory && filled);
 }
 
-bool may_run_another(const CaseResults& cases, const Limits& limits)
+bool may_run_another(const UnitBudget& budget, const CaseResults& cases, const Limits& limits)
 {
-    std::ptrdiff_t timeouts = 0;
+    if (budget.left() <= 0) return false;
+    std::ptrdiff_t endless = 0;
     double seconds = 0;
     for (const auto& [name, one] : cases) {
-        if (ran_into_the_limit(one, limits)) ++timeouts;
-        if (one.reached) seconds += SpareTime::cost_of(one.student);
+        if (!one.reached) continue;
+        if (is_endless(one.student, limits) || slept_long(one.student, limits)) ++endless;
+        seconds += SpareTime::cost_of(one.student);
     }
-    return timeouts < caps::timeouts && seconds < caps::unit_limits * limits.wall_seconds;
+    return endless < caps::endless_cases && seconds < caps::unit_limits * limits.wall_seconds;
 }
 
 CaseResult not_reached(std::uint64_t seed, bool hidden)
@@ -112,9 +115,9 @@ std::string CaseResult::cause() const
 {
     if (!reached)
         return fmt::format(
-            "not reached: {} cases ran into the time limit, or all before this one took {:g} times as long together, "
-            "so this one was not run; it earns nothing until they are quicker",
-            caps::timeouts, caps::unit_limits);
+            "not reached: {} cases used up their time or memory, or all together {:g} times the time of one, or all "
+            "units more than the {:g} s that they share; this one was not run and earns nothing until they take less",
+            caps::endless_cases, caps::unit_limits, caps::shared_run_seconds);
     if (is_stub()) return std::string(in_words(Verdict::not_implemented));
     if (student.verdict == Verdict::ok) return "";
     std::string text = fmt::format("{}: {}", in_words(student.verdict), student.message);
@@ -196,6 +199,13 @@ const Tensor* observed(const Check& check, const RunOutcome& run)
     return tensor == nullptr && judge_of(check).nothing_is_empty ? &nothing : tensor;
 }
 
+const Tensor* observed_beginning(const Check& check, const RunOutcome& run)
+{
+    const auto found = run.recording.oversized.find(check.value);
+    if (found == run.recording.oversized.end()) return observed(check, run);
+    return found->second.beginning.rows > 0 ? &found->second.beginning : nullptr;
+}
+
 CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected_run,
                         const CheckBasis& basis)
 {
@@ -209,6 +219,11 @@ CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutc
         if (answers && (answered || !one.is_stub()))
             judge_answers(check, *answers, {expected, margin, names}, basis.control, result);
         if (!answered) result.unjudged = unjudged_in(one);
+        const Tensor* beginning = observed_beginning(check, one.student);
+        // Rows that come as they happen begin to differ somewhere.
+        if (one.student.recording.oversized.contains(check.value) && beginning != nullptr &&
+            judge_of(check).nothing_is_empty)
+            result.first_difference = judge(check, *beginning, *expected, margin, names).first_difference;
         return result;
     }
     const Judgement judgement = check.relation

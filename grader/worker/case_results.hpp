@@ -9,6 +9,7 @@
 #include "judge/rows/rows.hpp"
 #include "model/exercise.hpp"
 #include "model/scorecard.hpp"
+#include "model/time_budget.hpp"
 #include "run/spawner.hpp"
 #include "worker/check_basis.hpp"
 
@@ -18,7 +19,7 @@ namespace umbral::grader {
 struct CaseResult {
     std::uint64_t seed = 0;
     bool hidden = false;
-    bool reached = true;  ///< false: too many cases ran into the time limit before, so that this one was not run
+    bool reached = true;  ///< false: too many cases used up a limit before, so that this one was not run
     RunOutcome student;
     std::string place;  ///< where it crashed: "sphere.cpp:17"
     double reference_seconds = 0;
@@ -46,10 +47,15 @@ using CaseResults = std::map<std::string, CaseResult>;
     return run.wall_seconds - run.waited_seconds - run.cpu_seconds > limits.wall_seconds / 2;
 }
 
-/// May another case of the unit be run? Not after caps::timeouts of them ran into the time limit, or slept for half of
-/// it, nor after all took caps::unit_limits times one limit together: a submission in which everything hangs, or
-/// nearly, costs no more.
-[[nodiscard]] bool may_run_another(const CaseResults& cases, const Limits& limits);
+/// Did a run take all the time that it may, or all the memory? An endless loop that keeps what it makes is as much of
+/// one as any other, and filling memory takes long. Who asks for more than there is at once takes nothing.
+[[nodiscard]] bool is_endless(const RunOutcome& run, const Limits& limits);
+
+/// May another case of the unit be run? Not after caps::endless_cases of them were endless, or slept for half of their
+/// time, nor after all took caps::unit_limits times one limit together: a submission in which everything hangs, or
+/// nearly, costs no more. How often memory was filled is counted, since how long that takes is up to the machine. And
+/// not when what the units of a submission share is used up.
+[[nodiscard]] bool may_run_another(const UnitBudget& budget, const CaseResults& cases, const Limits& limits);
 /// A case that was not run for that reason. It earns nothing.
 [[nodiscard]] CaseResult not_reached(std::uint64_t seed, bool hidden);
 
@@ -80,6 +86,10 @@ void take_judgement(const Check& check, const Judgement& judgement, double contr
 
 /// What a run recorded for this check, or null. Fragments and events come row by row: none at all is an empty table.
 [[nodiscard]] const Tensor* observed(const Check& check, const RunOutcome& run);
+
+/// The same, or the beginning of a table of which far more rows were recorded than expected: what is wrong begins
+/// there.
+[[nodiscard]] const Tensor* observed_beginning(const Check& check, const RunOutcome& run);
 
 /// What trusted code recorded for a check; null where it recorded nothing. judge() says what margin and names are.
 struct Expected {

@@ -81,26 +81,55 @@ void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& buil
     RunOutcome last = one.student;
     // The case that crashed and its repetitions take no longer than one run may, and the last of them, nor do all
     // repetitions of a unit: crashing late, again and again, would else cost twelve times the limit in each case.
-    const bool hung = last.verdict == Verdict::timeout;
+    const bool hung = is_endless(last, exercise.limits);
     double seconds = hung ? 0 : last.wall_seconds;
-    Exercise allowed = exercise;
-    if (hung) allowed.limits.wall_seconds *= part_without_loop;
+    const double allowed = exercise.limits.wall_seconds * (hung ? part_without_loop : 1);
     // Each run takes more away, but whether code crashes may be up to chance.
     for (std::size_t runs = 0; can_be_passed(last) && runs <= most_questions + most_functions; ++runs) {
         const std::uint32_t question = last.recording.asked - 1;
+        const bool endless = is_endless(last, exercise.limits);
         const bool again = std::ranges::find(passed_over.questions, question) != passed_over.questions.end();
-        if (again || question >= passed_over.end || (runs > 0 && last.verdict == Verdict::timeout)) return;
+        if (again || question >= passed_over.end || (runs > 0 && endless)) return;
         const auto function = [&] { return function_of_end(worker, exercise, case_name, one.seed, last.recording); };
-        if (last.verdict != Verdict::timeout && passed_over.questions.size() < most_questions)
+        if (!endless && passed_over.questions.size() < most_questions) {
             passed_over.questions.push_back(question);
-        else if (last.verdict == Verdict::timeout || passed_over.functions.size() == most_functions ||
-                 !passed_over.functions.emplace(function(), question).second)
+        } else if (passed_over.functions.size() == most_functions) {
             passed_over.end = question;
+        } else {
+            const std::string name = function();
+            if ((name.empty() && endless) || !passed_over.functions.emplace(name, question).second)
+                passed_over.end = question;
+        }
         if (seconds > exercise.limits.wall_seconds || !worker.spare_time().is_left()) return;
-        last = worker.run_past(allowed, built, case_name, one.seed, passed_over);
+        last = worker.run_past(exercise, built, case_name, one.seed, passed_over, allowed);
         seconds += last.wall_seconds;
     }
     if (last.verdict == Verdict::ok) one.past = std::move(last);
+}
+
+std::vector<std::string> functions_that_hung(Worker& worker, const Exercise& exercise, const CaseResults& cases)
+{
+    std::vector<std::string> functions;
+    for (const auto& [name, one] : cases) {
+        if (!one.reached || !is_endless(one.student, exercise.limits)) continue;
+        const std::string function = one.student.recording.asked > 0
+                                         ? function_of_end(worker, exercise, name, one.seed, one.student.recording)
+                                         : "";
+        if (function.empty()) return {};
+        functions.push_back(function);
+    }
+    return functions;
+}
+
+void run_without(Worker& worker, const Exercise& exercise, const Built& built, const std::string& case_name,
+                 const std::vector<std::string>& functions, CaseResult& one)
+{
+    if (functions.empty() || !worker.spare_time().is_left()) return;
+    PassedOver passed_over;
+    for (const std::string& function : functions) passed_over.functions.emplace(function, 0);
+    RunOutcome run = worker.run_past(exercise, built, case_name, one.seed, passed_over,
+                                     exercise.limits.wall_seconds * part_without_loop);
+    if (run.verdict == Verdict::ok) one.past = std::move(run);
 }
 
 std::string question_of_end(Worker& worker, const Exercise& exercise, const std::string& case_name,

@@ -12,10 +12,20 @@ namespace umbral::grader {
 
 /// Runs a case that crashed, found no memory or did not end again, without the questions in which it did, and keeps in
 /// `one` what that gives, so that one edge case does not cost what has nothing to do with it. Of a function that
-/// crashes too often, nothing more is asked. A question that the student's code hangs in ends the case. Nothing is kept
-/// where the same happens without them.
+/// crashes too often, or is endless (is_endless), nothing more is asked; a question that is endless and is no known
+/// function's ends the case. Nothing is kept where the same happens without them.
 void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& built, const std::string& case_name,
                      CaseResult& one);
+
+/// The functions in which the cases that were endless ended, by the reference's questions; none if that is not known of
+/// one of them.
+[[nodiscard]] std::vector<std::string> functions_that_hung(Worker& worker, const Exercise& exercise,
+                                                           const CaseResults& cases);
+
+/// Runs a case that is not reached, because too many before it were endless, without asking these functions: what
+/// others answer is judged. Nothing is if it does not end well without them either, or no time is left.
+void run_without(Worker& worker, const Exercise& exercise, const Built& built, const std::string& case_name,
+                 const std::vector<std::string>& functions, CaseResult& one);
 
 /// The question in which a visible case ended, as code; empty if that is not known.
 [[nodiscard]] std::string question_of_end(Worker& worker, const Exercise& exercise, const std::string& case_name,

@@ -127,7 +127,7 @@ std::optional<std::string> objection_to(Worker& worker, const Exercise& exercise
     // As long as one run may take: whoever takes all of that each time, and has the grader run it again and again, is
     // too slow by more than noise.
     SpareTime time;
-    time.allow(exercise.limits.wall_seconds);
+    time.allow(std::min(exercise.limits.wall_seconds, worker.budget().left()));
     auto objection = measured_objection(worker, exercise, check, built, one.seed, sizes, names, time);
     if (!objection || !time.is_left()) return objection;
     return measured_objection(worker, exercise, check, built, one.seed, sizes, names, time);

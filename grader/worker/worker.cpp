@@ -131,15 +131,16 @@ RunRequest Worker::trusted_request(const Exercise& exercise, Answers solution, c
 RunOutcome Worker::run(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed)
 {
     if (!built.mistake.empty()) return run_known(exercise, "mistakes/" + built.mistake, built.sources, case_name, seed);
-    return run_now(exercise, students_request(exercise, built, case_name, seed));
+    return run_students(exercise, students_request(exercise, built, case_name, seed));
 }
 
 RunOutcome Worker::run_past(const Exercise& exercise, const Built& built, const std::string& case_name,
-                            std::uint64_t seed, const PassedOver& passed_over)
+                            std::uint64_t seed, const PassedOver& passed_over, double wall_seconds)
 {
     RunRequest wanted = students_request(exercise, built, case_name, seed);
+    wanted.limits.wall_seconds = wall_seconds;
     wanted.passed_over = passed_over;
-    return spare_time_.spent_on(run_now(exercise, wanted));
+    return spare_time_.spent_on(run_students(exercise, wanted));
 }
 
 RunOutcome Worker::run_limited(const Exercise& exercise, const Built* built, const std::string& case_name,
@@ -148,7 +149,7 @@ RunOutcome Worker::run_limited(const Exercise& exercise, const Built* built, con
     RunRequest wanted = built != nullptr ? students_request(exercise, *built, case_name, seed)
                                          : trusted_request(exercise, Answers::reference, case_name, seed);
     wanted.costs = costs;
-    return run_now(exercise, wanted);
+    return built != nullptr ? run_students(exercise, wanted) : run_now(exercise, wanted);
 }
 
 const RunOutcome& Worker::trusted(const Exercise& exercise, Answers solution, const std::string& case_name,
@@ -199,7 +200,7 @@ RunOutcome Worker::run_told(const Exercise& exercise, const Built& built, const 
     wanted.inquiry.questions = true;
     for (const auto& [name, most] : WantedTensors(wanted.wanted))
         wanted.wanted.emplace(std::string(question_names::rows) + name, most);
-    return spare_time_.spent_on(run_now(exercise, wanted));
+    return spare_time_.spent_on(run_students(exercise, wanted));
 }
 
 RunOutcome Worker::run_coarse(const Exercise& exercise, const Built& built, const std::string& case_name,
@@ -211,7 +212,7 @@ RunOutcome Worker::run_coarse(const Exercise& exercise, const Built& built, cons
     for (auto& [value, cells] : wanted.wanted)
         if (const Tensor* tensor = tensor_of(expected, value)) cells = tensor->cells();
     wanted.inquiry.grain = grain;
-    return spare_time_.spent_on(run_now(exercise, wanted));
+    return spare_time_.spent_on(run_students(exercise, wanted));
 }
 
 RunOutcome Worker::answer_of(const Exercise& exercise, const std::filesystem::path& library,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "build/builder.hpp"
 #include "build/toolchain.hpp"
 #include "model/scratch.hpp"
+#include "model/time_budget.hpp"
 #include "question/log.hpp"
 #include "run/spawner.hpp"
 #include "worker/check_basis.hpp"
@@ -53,8 +55,14 @@ public:
     /// Called between units.
     void let_go();
 
+    /// From now on students' code runs for another unit, of whose time all its runs take.
+    void bound_runs(UnitBudget budget) { budget_ = std::move(budget); }
+    [[nodiscard]] const UnitBudget& budget() const noexcept { return budget_; }
+
     /// What is left for running students' code again: all runs but `run` take from it.
     [[nodiscard]] SpareTime& spare_time() noexcept { return spare_time_; }
+    /// Allows so many seconds, if the unit has them.
+    void allow_spare_time(double seconds) { spare_time_.allow(std::min(seconds, budget_.left())); }
     /// What all runs until now took, trusted ones too (SpareTime::cost_of).
     [[nodiscard]] double run_seconds() const noexcept { return run_seconds_; }
 
@@ -71,9 +79,10 @@ public:
         return spare_time_.spent_on(run(exercise, built, case_name, seed));
     }
 
-    /// The same without some questions; of the recording is read, too, which rows lack an answer for that.
+    /// The same without some questions, in so many seconds; of the recording is read, too, which rows lack an answer
+    /// for that.
     [[nodiscard]] RunOutcome run_past(const Exercise& exercise, const Built& built, const std::string& case_name,
-                                      std::uint64_t seed, const PassedOver& passed_over);
+                                      std::uint64_t seed, const PassedOver& passed_over, double wall_seconds);
 
     /// The same, while the case with the inputs of `beside` runs in turns with it in the same process, so that before
     /// each of its questions another one is asked.
@@ -82,7 +91,7 @@ public:
     {
         RunRequest wanted = students_request(exercise, built, case_name, seed);
         wanted.beside = stream_of(exercise, case_name, beside);
-        return spare_time_.spent_on(run_now(exercise, wanted));
+        return spare_time_.spent_on(run_students(exercise, wanted));
     }
 
     /// Runs one case with a student's build, or with the reference if there is none, working on these counted costs
@@ -140,6 +149,12 @@ public:
 
 private:
     [[nodiscard]] RunOutcome run_now(const Exercise& exercise, const RunRequest& request);
+    [[nodiscard]] RunOutcome run_students(const Exercise& exercise, const RunRequest& request)
+    {
+        RunOutcome outcome = run_now(exercise, request);
+        budget_.take(SpareTime::cost_of(outcome));
+        return outcome;
+    }
     [[nodiscard]] RunRequest request(const Exercise& exercise, const std::string& case_name, std::uint64_t seed) const;
     [[nodiscard]] RunRequest students_request(const Exercise& exercise, const Built& built,
                                               const std::string& case_name, std::uint64_t seed);
@@ -164,6 +179,7 @@ private:
     std::unique_ptr<Spawner> plain_;
     std::unique_ptr<Spawner> gl_;
     std::shared_ptr<const UnitKeys> keys_;
+    UnitBudget budget_;
     SpareTime spare_time_;
     double run_seconds_ = 0;
     std::shared_ptr<SharedRuns> runs_ = std::make_shared<SharedRuns>();

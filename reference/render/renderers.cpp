@@ -80,6 +80,7 @@ Drawn Studio::draw(const Renderer& renderer, const Job& job)
         gl::forbid_driver_threads();
         context_.emplace();
     }
+    if (renderer.needs_opengl) context_->make_current();
     return renderer.draw(job);
 }
 

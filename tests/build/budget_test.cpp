@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "build/compile_budget.hpp"
 #include "build/with_zeros.hpp"
 #include "model/caps.hpp"
+#include "model/time_budget.hpp"
 #include "support/workbench.hpp"
 
 // Compiling a submission is bounded over all of its units, and no unit takes another one's own share.
@@ -35,7 +35,7 @@ protected:
 
     Workbench bench;
     std::string text = sphere_with("", "");
-    std::shared_ptr<CompileBudget> submission = std::make_shared<CompileBudget>();
+    std::shared_ptr<TimeBudget> submission = budgets_of_a_submission().compiling;
 };
 
 TEST_F(Budget, a_unit_takes_of_its_own_first)

@@ -26,7 +26,8 @@ TEST(MachineTrouble, what_a_tool_says_of_itself_is_believed)
           "collect2: fatal error: ld terminated with signal 6 [Aborted]\ncompilation terminated.\n",
           "g++: fatal error: cannot execute '/usr/lib/gcc/cc1plus': vfork: Resource temporarily unavailable\n",
           "mold: fatal: cannot write to an output file: Input/output error",
-          "/tmp/ccbNoDhr.s: Fatal error: can't write 41 bytes to section: 'No space left on device'\n"}) {
+          "/tmp/ccbNoDhr.s: Fatal error: can't write 41 bytes to section: 'No space left on device'\n",
+          "ccbNoDhr.s: Fatal error: can't write 41 bytes to section: 'No space left on device'\n"}) {
         EXPECT_TRUE(tools_are_in_trouble(output)) << output;
         EXPECT_TRUE(mentions_machine_trouble(output)) << output;
     }
@@ -46,9 +47,15 @@ TEST(MachineTrouble, what_a_student_can_write_is_no_proof)
          {"mold: error: duplicate symbol: a.o: b.o: Cannot fork<int>(int)\n",
           "mold: error: duplicate symbol: a.o: b.o: x: No space left on device\n",
           "mold: error: undefined symbol: x\nmold: fatal: No space left on device\n",
+          "mold: warning: symbol type mismatch: typeinfo for int No space left on device\n>>> defined in a.o as X\n",
           "collect2: error: Cannot fork<No space left on device>(int)\n",
+          "as: cannot write: No space left on device\nccbNoDhr.s: Assembler messages:\nccbNoDhr.s:9: Error: .err\n",
           "/tmp/ccbNoDhr.s:12: Error: changed attributes of a: Fatal error: No space left on device\n"})
         EXPECT_FALSE(tools_are_in_trouble(output)) << output;
+    EXPECT_TRUE(
+        outgrew_the_file_limit("collect2: fatal error: ld terminated with signal 25 [File size limit exceeded]\n"));
+    EXPECT_FALSE(
+        outgrew_the_file_limit("sphere.cpp:1:2: error: collect2: fatal error: ld terminated with signal 25\n"));
     EXPECT_TRUE(linker_refuses_files("sphere.cpp:1:2: warning: …\nmold: error: undefined symbol: x\n"));
     EXPECT_FALSE(linker_refuses_files("sphere.cpp:1:2: error: mold: error: undefined symbol: x\n"));
     // Templates that take all the memory end the compiler, too.

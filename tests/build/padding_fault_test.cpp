@@ -1,5 +1,6 @@
 #include "build/padding_fault.hpp"
 
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -57,14 +58,15 @@ Seen compile(const std::string& members, const std::string& values, const std::s
                  "};\nstruct T { " +
                      members + " };\nvolatile double one = 1;\nint main() { const auto sum = [](const T& t) { return " +
                      sums + "; };\n const double a = one; return sum(T{" + values + "}) == 100 ? 0 : 3; }\n");
+    const LoweredText lowered(folder.path());
     const std::string command = "cd '" + folder.path().string() +
                                 "' && " UMBRAL_COMPILER
                                 " -std=c++20 -O1 -ftrivial-auto-var-init=pattern -fno-elide-constructors "
                                 "-fno-lifetime-dse -fno-tree-sra a.cpp -o a " +
-                                dump_for_padding_fault + " && ./a";
+                                fmt::format("{}", fmt::join(lowered.options(), " ")) + " && ./a";
     const int status = std::system(command.c_str());
     EXPECT_TRUE(WEXITSTATUS(status) == 0 || WEXITSTATUS(status) == 3) << members;
-    return {padding_fault_in(folder.path()), WEXITSTATUS(status) == 3};
+    return {lowered.has_padding_fault(), WEXITSTATUS(status) == 3};
 }
 
 TEST(PaddingFault, is_found_where_a_program_of_this_compiler_has_it)

@@ -44,6 +44,10 @@ TEST(Assembler, plain_labels_and_the_compilers_own_are_allowed)
 {
     EXPECT_EQ(found_in("extern int sigpause(int) __asm__ (\"\" \"__xpg_sigpause\");"), "");
     EXPECT_EQ(found_in("f() { __asm__ __volatile__ (\"pconfig\\n\\t\" : \"=a\" (x)); }"), "");
+    EXPECT_EQ(
+        found_in("f() { __asm__ volatile (\"ldtilecfg\\t%X0\" :: \"m\" (x)); __asm__ volatile (\"tilerelease\" ::); }"),
+        "");
+    EXPECT_NE(found_in("f() { __asm__ volatile (\"ldtilecfg\\t%X0\\n.incbin\" :: \"m\" (x)); }"), "");
     EXPECT_EQ(found_in("f() { __asm__ __volatile__ (\"pconfig\\n\\t.incbin\" : \"=a\" (x)); }").empty(), false);
 }
 
@@ -76,6 +80,23 @@ TEST(Assembler, is_not_hidden_by_what_is_not_closed)
         EXPECT_NE(found_in(text), "") << text;
 }
 
+// A ' behind a digit separates only where a digit or a letter of ASCII follows: else it begins a character, which ends
+// where the compiler says.
+TEST(Assembler, is_not_hidden_by_what_looks_like_a_number)
+{
+    for (const char* text : {"[[x::y(1'$')]] int a; asm(\"anything\");", "[[x::y(1'\xc3\xa9')]] int a; asm(\"x\");",
+                             "[[x::y(1'.')]] int a; asm(\"x\");", "[[x::y(1'\"')]] int a; asm(\"x\");"})
+        EXPECT_NE(found_in(text), "") << text;
+    for (const char* text : {"int x = 1'000'000;", "auto y = 0x1'ffU;", "char c = '\\U0001F600';", "int m = 'abcd';",
+                             "char q = '\\'', d = '\"';", "const char* s = \"'\"; auto r = R\"(')\";"})
+        EXPECT_FALSE(find_unclosed(text)) << text;
+    for (const char* text :
+         {"char c = ';\nint x;", "\"open\nint x;", "R\"(open", "1'\n", "char c = ' asm(\"nop\"); ';"})
+        EXPECT_TRUE(find_unclosed(text)) << text;
+    EXPECT_EQ(find_unclosed("# 3 \"a.cpp\"\nchar c = 'x;\n"),
+              "a.cpp:3: error: a character or a string that is not closed in its line");
+}
+
 TEST(Assembler, may_not_come_in_by_attributes_and_directives)
 {
     for (const char* text :
@@ -88,6 +109,27 @@ TEST(Assembler, may_not_come_in_by_attributes_and_directives)
           "__attribute__\n#pragma x\n((section(\"x\"))) int x;", "__attribute__((alias(\"a@b\"))) int f();",
           "#sccs \"x\"", "# ident \"x\"", "#pragma GCC pch_preprocess \"other.gch\""})
         EXPECT_NE(found_in(text), "") << text;
+}
+
+// What was never set would be right by chance.
+TEST(Assembler, nor_may_variables_be_left_unfilled)
+{
+    for (const char* const text :
+         {"int x __attribute__((uninitialized));", "[[gnu::uninitialized]] int x;", "int x [[gnu::__uninitialized__]];",
+          "#pragma GCC optimize (\"trivial-auto-var-init=uninitialized\")",
+          "#pragma GCC optimize (\"trivial-auto\" \"-var-init=uninitialized\")",
+          "#pragma GCC optimize (\"trivial\\x2d"
+          "auto\")",
+          "#pragma GCC optimize \"O2\", \"trivial-auto-var-init=zero\"",
+          "#pragma GCC optimize(\"trivial-auto-v\" R\"(ar-init=uninitialized)\")",
+          "#pragma GCC optimize(u8\"trivial-auto-v\" u8R\"x(ar-init=uninitialized)x\")",
+          "__attribute__((optimize(\"trivial-auto-var-init=uninitialized\"))) void f();",
+          "[[gnu::optimize(\"trivial-auto\" \"-var-init=zero\")]] void f();"})
+        EXPECT_TRUE(find_assembler(text, header)) << text;
+    for (const char* const text :
+         {"int uninitialized = 0;", "__attribute__((optimize(\"O3\", \"fast-math\"))) void f();",
+          "#pragma GCC optimize (\"O3,unroll-loops\")", "#pragma GCC optimize 3"})
+        EXPECT_FALSE(find_assembler(text, header)) << text;
 }
 
 TEST(Assembler, ordinary_code_is_allowed)

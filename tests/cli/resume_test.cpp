@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "program.hpp"
+#include "support/remove_at_last.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/without_times.hpp"
 
@@ -104,7 +105,7 @@ TEST_F(Resume, killed_at_any_moment_it_goes_on_and_ends_the_same)
         const std::string out = "out" + std::to_string(run);
         for (bool finished = false; !finished && done < kills;) {
             // Without a cache from earlier every start has to compile: kills meet all that a run does.
-            if (random() % 2 == 0) fs::remove_all(folder / "cache");
+            if (random() % 2 == 0) remove_at_last(folder / "cache");
             const std::chrono::microseconds while_(random() % static_cast<unsigned>(whole.count()));
             finished = !killed_after(while_, arguments(out), environment());
             done += finished ? 0 : 1;

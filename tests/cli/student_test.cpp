@@ -119,6 +119,15 @@ TEST(Check, status_says_right_short_or_misused)
     const Printed right = umbral("check sphere --dir " + folder.path().string());
     EXPECT_EQ(right.status, 0) << right.text;
     EXPECT_NE(right.text.find("10/10"), std::string::npos) << right.text;
+    // A path of a unit's folder says which workspace is meant.
+    const Printed by_path = umbral("check " + (folder / "raytracing/sphere/").string());
+    EXPECT_NE(by_path.text.find("10/10"), std::string::npos) << by_path.text;
+    const TemporaryFolder other;
+    other.write("raytracing/disc/disc.cpp", "// not yet");
+    const Printed both =
+        umbral("check " + (folder / "raytracing/sphere").string() + " " + (other / "raytracing/disc").string());
+    EXPECT_EQ(both.status, 2);
+    EXPECT_NE(both.text.find("two workspaces"), std::string::npos) << both.text;
     EXPECT_EQ(umbral("check no-such-unit --dir " + folder.path().string()).status, 2);
     EXPECT_EQ(umbral("check --dir " + folder.path().string() + "/nowhere").status, 2);
     EXPECT_EQ(umbral("check --no-such-option").status, 2);
@@ -214,6 +223,8 @@ TEST(Hint, goes_step_by_step)
     EXPECT_NE(spanish.find("Pista 1 de 3: Traslada"), std::string::npos) << spanish;
     EXPECT_NE(spanish.find("umbral hint sphere 2 --language es"), std::string::npos) << spanish;
 }
+
+TEST(Hint, takes_a_workspace_as_other_commands_do) { EXPECT_EQ(umbral("hint sphere --dir /tmp").status, 0); }
 
 TEST(Reset, keeps_what_was_written)
 {

@@ -78,6 +78,17 @@ TEST_F(ClassFolders, names_of_reports_files_are_nobodys)
     EXPECT_EQ(all.size(), 5U);
 }
 
+TEST_F(ClassFolders, names_that_another_system_cannot_hold_are_nobodys)
+{
+    for (const char* const name : {"NUL", "com1.ana", "gil.", "console", "com10"}) make(name);
+    const auto all = ids();
+    EXPECT_EQ(all.at("NUL"), "id-NUL");
+    EXPECT_EQ(all.at("com1.ana"), "com1-ana");
+    EXPECT_EQ(all.at("gil."), "gil");
+    EXPECT_EQ(all.at("console"), "console");
+    EXPECT_EQ(all.at("com10"), "com10");
+}
+
 TEST_F(ClassFolders, whatever_the_names_ids_are_plain_and_unique)
 {
     const std::vector<std::string> names{"a b",

@@ -108,5 +108,17 @@ TEST_F(AskQuestion, is_for_functions_of_units_with_pictures)
     EXPECT_TRUE(asked.yours.given) << asked.yours.text;
 }
 
+// Of such a unit, a question that gets no answer from the reference draws, as a rule; a loop does not.
+TEST_F(AskQuestion, without_an_end_is_said_to_be_one)
+{
+    Exercise frustum = bench.exercise("projections/fit-frustum");
+    frustum.limits.wall_seconds = 1;
+    const Built built = build(bench.tools(), frustum, reference_sources(bench.tools().reference, frustum));
+    const AskedQuestion asked =
+        ask_question(worker, frustum, built, "[] { for (volatile int i = 0; i == 0;) {} }(), 1");
+    EXPECT_EQ(asked.refused, "");
+    EXPECT_NE(asked.reference.text.find("a loop that never ends"), std::string::npos) << asked.reference.text;
+}
+
 }
 }

@@ -32,15 +32,16 @@ TEST_F(Bounds, two_cases_run_into_the_time_limit_and_the_rest_is_not_reached)
     const UnitResult result = grade(files);
     EXPECT_EQ(result.verdict, Verdict::timeout);
     EXPECT_EQ(result.score, 0);
-    EXPECT_NE(result.message.find("not reached: 2 cases ran into the time limit"), std::string::npos) << result.message;
+    EXPECT_NE(result.message.find("not reached: 2 cases used up their time or memory"), std::string::npos)
+        << result.message;
     std::map<std::string, std::string> cases;
     for (std::size_t i = 0; i < exercise.checks.size(); ++i)
         cases[exercise.checks[i].case_name] = result.checks[i].message;
     EXPECT_EQ(std::ranges::count_if(
                   cases, [](const auto& one) { return one.second.find("stopped after") != std::string::npos; }),
-              caps::timeouts);
+              caps::endless_cases);
     EXPECT_EQ(std::ranges::count_if(cases, [](const auto& one) { return one.second.starts_with("not reached"); }),
-              static_cast<std::ptrdiff_t>(cases.size()) - caps::timeouts);
+              static_cast<std::ptrdiff_t>(cases.size()) - caps::endless_cases);
     const UnitResult again = grade(files);
     for (std::size_t i = 0; i < result.checks.size(); ++i) EXPECT_EQ(again.checks[i].message, result.checks[i].message);
 }
@@ -63,6 +64,33 @@ TEST_F(Bounds, cases_that_are_all_slow_take_a_few_limits_together_and_the_rest_i
     EXPECT_GE(reached.size(), 3U);
     EXPECT_LE(reached.size(), 5U);
     EXPECT_LT(taken.count(), 60);
+}
+
+TEST_F(Bounds, what_the_units_of_a_submission_share_is_taken_once)
+{
+    exercise.limits.wall_seconds = 0.3;
+    GradeOptions options;
+    options.budgets.running = std::make_shared<TimeBudget>(0.1, 0.4);
+    const auto graded = [&](const char* body) {
+        return grade_unit(worker, exercise, {{{"sphere.cpp", body == nullptr ? good : sphere_with("", body)}}, {}, ""},
+                          options);
+    };
+    // Its first case takes what is its own and the half of what all share, its second one the rest.
+    const UnitResult hangs = graded("    for (volatile int i = 0;; i = i + 1) {}");
+    EXPECT_EQ(hangs.verdict, Verdict::timeout);
+    EXPECT_FALSE(hangs.settled) << "beside other units it would be run for longer";
+    EXPECT_LE(options.budgets.running->left(), 0.1);
+    // A unit that takes its usual time has that of its own.
+    options.budgets.running = std::make_shared<TimeBudget>(caps::run_seconds, 0);
+    const UnitResult right = graded(nullptr);
+    EXPECT_EQ(right.score, right.max_score) << right.message;
+    EXPECT_TRUE(right.settled);
+    EXPECT_DOUBLE_EQ(options.budgets.running->left(), 0);
+    // What has none is not run on, and not for a reason either.
+    options.budgets.running = std::make_shared<TimeBudget>(0, 0);
+    const UnitResult none = graded("    if (ray.direction.x > 0) return 1.0F;");
+    EXPECT_NE(none.message.find("all units more than the 240 s that they share"), std::string::npos) << none.message;
+    EXPECT_TRUE(std::ranges::none_of(none.checks, [](const CheckResult& check) { return check.simplest.has_value(); }));
 }
 
 TEST_F(Bounds, one_case_that_hangs_costs_itself_only)

@@ -3,17 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <set>
 
+#include "handed_in.hpp"
 #include "judge/explain/thresholds.hpp"
-#include "support/workbench.hpp"
-#include "unit/grade_unit.hpp"
 
 namespace umbral::grader::test {
 namespace {
-
-using Answer = std::function<RunOutcome(const std::string& case_name, std::uint64_t seed)>;
 
 /// Nothing that could compile: whatever compiled here would throw or find nothing.
 Toolchain without_compiler(Toolchain tools)
@@ -36,31 +32,9 @@ protected:
         return worker.run_known(exercise, "mistakes/" + mistake.name, mistake.sources, name, seed);
     }
 
-    /// A submission whose cases were answered as given, judged.
-    std::pair<UnitResult, CaseResults> hand_in(const Answer& answer)
-    {
-        CaseResults cases;
-        for (const std::string& name : exercise.cases()) {
-            CaseResult one;
-            one.seed = SeedPlan{}.seed_of(exercise, name);
-            one.student = answer(name, one.seed);
-            cases.emplace(name, std::move(one));
-        }
-        UnitResult result;
-        for (const Check& check : exercise.checks) {
-            const CaseResult& one = cases.at(check.case_name);
-            const RunOutcome& expected = worker.trusted(exercise, judged_against(check), check.case_name, one.seed);
-            const RunOutcome& reference = worker.trusted(exercise, Answers::reference, check.case_name, one.seed);
-            result.checks.push_back(judge_check(check, one, expected, reference));
-            result.score += result.checks.back().score;
-            result.max_score += check.points;
-        }
-        return {result, std::move(cases)};
-    }
-
     std::vector<Explanation> explain(const Answer& answer)
     {
-        const auto [result, cases] = hand_in(answer);
+        const auto [result, cases] = hand_in(worker, exercise, answer);
         return explain_unit(worker, exercise, result, cases);
     }
 };
@@ -92,8 +66,8 @@ TEST_P(ExplainUnit, a_mistake_that_breaks_more_than_the_students_work_is_not_its
 {
     int tried = 0;
     for (const KnownSolution& mistake : mistakes) {
-        const auto [result, cases] =
-            hand_in([&](const std::string& name, std::uint64_t seed) { return run(mistake, name, seed); });
+        const auto [result, cases] = hand_in(
+            worker, exercise, [&](const std::string& name, std::uint64_t seed) { return run(mistake, name, seed); });
         std::set<std::string> broken;
         for (std::size_t i = 0; i < exercise.checks.size(); ++i)
             if (result.checks[i].score < exercise.checks[i].points) broken.insert(exercise.checks[i].case_name);
@@ -112,8 +86,8 @@ TEST_P(ExplainUnit, a_mistake_that_breaks_more_than_the_students_work_is_not_its
 TEST_P(ExplainUnit, without_its_mistake_among_the_candidates_no_other_is_named_for_it)
 {
     for (const KnownSolution& mistake : mistakes) {
-        const auto [result, cases] =
-            hand_in([&](const std::string& name, std::uint64_t seed) { return run(mistake, name, seed); });
+        const auto [result, cases] = hand_in(
+            worker, exercise, [&](const std::string& name, std::uint64_t seed) { return run(mistake, name, seed); });
         std::vector<KnownSolution> others = mistakes;
         std::erase_if(others, [&](const KnownSolution& other) { return other.name == mistake.name; });
         for (const Explanation& one : explain_unit(worker, exercise, result, cases, others))

@@ -112,6 +112,35 @@ TEST_F(PastCrashesOfOneFunction, cost_nothing_of_another)
     EXPECT_EQ(check(result, "to the last digit/encoded").score, 0);
 }
 
+// A list without end: how long it takes to fill the memory is up to the machine, what is run and judged is not.
+TEST_F(PastCrashesOfOneFunction, that_fills_its_memory_is_asked_no_more)
+{
+    const UnitResult result = grade("float encode_srgb(float light) { return",
+                                    "float encode_srgb(float light) { std::vector<float> all; while (light < 2) "
+                                    "all.push_back(light); return");
+    EXPECT_EQ(result.verdict, Verdict::partial);
+    for (const CheckResult& one : result.checks) {
+        EXPECT_TRUE(one.score == 0 || !one.name.ends_with("/encoded")) << one.name;
+        EXPECT_TRUE(one.score == one.max_score || !one.name.ends_with("/decoded")) << one.name << one.message;
+    }
+    EXPECT_NE(result.message.find("2 cases used up their time or memory"), std::string::npos) << result.message;
+}
+
+// Every case that asks both hangs; what the other function answers is right in all of them.
+TEST_F(PastCrashesOfOneFunction, that_always_hangs_cost_nothing_of_another_where_it_was_not_reached)
+{
+    exercise.limits.wall_seconds = 3;
+    const UnitResult result = grade("float encode_srgb(float light) { return",
+                                    "float encode_srgb(float light) { for (volatile int i = 0; i == 0;) {} return");
+    std::ptrdiff_t right = 0;
+    for (const CheckResult& one : result.checks) {
+        const bool other = one.name.ends_with("/decoded") || one.name.ends_with("/sums");
+        right += other && one.score == one.max_score ? 1 : 0;
+        EXPECT_TRUE(one.score == 0 || !one.name.ends_with("/encoded")) << one.name;
+    }
+    EXPECT_GE(right, 8);
+}
+
 TEST_F(PastCrashes, of_hidden_cases_only_the_kind_is_told)
 {
     const UnitResult result = grade("ray.t_min == 0 && ray.origin.x > 5 && ray.origin.y > 5", null_write);

@@ -13,10 +13,12 @@ class SpoiltReference : public testing::Test {
 protected:
     explicit SpoiltReference(const std::string& unit = "raytracing/sphere") : exercise(bench.exercise(unit)) {}
 
-    /// With one text in place of another, which it must hold.
+    /// With one text in place of another, which it must hold. A fault of the grader's fails the test.
     UnitResult grade(const std::string& from, const std::string& to, const GradeOptions& options = {})
     {
-        return grade_unit(worker, exercise, {spoilt(from, to), {}, ""}, options);
+        UnitResult result = grade_unit(worker, exercise, {spoilt(from, to), {}, ""}, options);
+        EXPECT_NE(result.verdict, Verdict::grader_fault) << result.message;
+        return result;
     }
 
     [[nodiscard]] Built build_spoilt(const std::string& from, const std::string& to) const

@@ -45,6 +45,9 @@ TEST_F(WorthOfCalls, is_half_where_they_draw_nothing)
     EXPECT_NE(check(result, "frames/later frames").message.find("these calls draw too little of the right picture"),
               std::string::npos)
         << check(result, "frames/later frames").message;
+    // So is what hangs on calls that hang on a picture.
+    for (const char* const name : {"frames/end", "frames/alive", "state/state"})
+        EXPECT_LE(2 * check(result, name).score, check(result, name).max_score + 2) << name;
 }
 
 TEST_F(WorthOfCalls, is_all_where_only_colours_are_wrong)

@@ -106,7 +106,7 @@ TEST(Events, a_duplicate_or_another_event_is_named)
     EXPECT_FALSE(again.first_difference->cell) << "neither row beside it led to it";
 
     const Judgement once = judged(session, twice);
-    EXPECT_EQ(once.message.substr(0, once.message.find(" (5")), "row 1: expected press: 3 of them, 2 came");
+    EXPECT_EQ(once.message.substr(0, once.message.find(" (5")), "row 1: expected press: 3 of them in all, 2 came");
 
     std::vector<float> other = session;
     other[9] = 2;

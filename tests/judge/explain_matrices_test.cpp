@@ -73,6 +73,27 @@ TEST(ExplainMatrices, one_error_one_explanation)
     for (const auto& [name, change] : errors) EXPECT_EQ(first(check, matrices(change), right), name);
 }
 
+glm::dmat4 stretched(const glm::dmat4& m) { return glm::scale(glm::dmat4(1), glm::dvec3(2, 3, 4)) * m; }
+
+glm::dmat4 with_bare_place(const glm::dmat4& m)
+{
+    const glm::dmat4 right = stretched(m);
+    return with_translation(right, inverse(glm::dmat3(right)) * glm::dvec3(right[3]));
+}
+
+// Only a matrix that turns may be a camera's.
+TEST(ExplainMatrices, a_place_that_the_rest_is_not_applied_to_is_told)
+{
+    const auto of_others = explain(check, matrices(with_bare_place), matrices(stretched));
+    ASSERT_FALSE(of_others.empty());
+    EXPECT_EQ(of_others.front().name, "translation not rotated");
+    EXPECT_NE(of_others.front().sentence.find("A * p"), std::string::npos) << of_others.front().sentence;
+    const auto of_cameras =
+        explain(check, matrices([](const glm::dmat4& m) { return with_translation(m, -eye(m)); }), matrices(unchanged));
+    ASSERT_FALSE(of_cameras.empty());
+    EXPECT_NE(of_cameras.front().sentence.find("-R * eye"), std::string::npos) << of_cameras.front().sentence;
+}
+
 TEST(ExplainMatrices, the_flipped_axis_is_told)
 {
     const Tensor wrong = matrices([](const glm::dmat4& m) {

@@ -24,6 +24,24 @@ TEST(Mistakes, match_if_they_deviate_in_the_same_way)
     EXPECT_FALSE(same(check, mistake, right, floats({1, 2})));
 }
 
+// Degrees as radians, in float: the candidate had to round an argument which the student used as it came.
+TEST(Mistakes, match_but_for_a_share_of_the_error_where_the_candidate_rounds)
+{
+    const Check check = check_of(JudgeKind{"numbers"}, ulps(2));
+    const Tensor right = floats({1, 2, 3, 4});
+    const Tensor mistake = floats({1, 2, 5, 6});
+    const auto rounded = [&](const Tensor& student) {
+        FailingCheck failing{&check, &student, &right, nullptr};
+        failing.rounding = 1e-3;
+        return resemblance(failing, mistake).says == Says::for_it;
+    };
+    EXPECT_TRUE(rounded(floats({1, 2, 5.001F, 6})));
+    EXPECT_FALSE(same(check, floats({1, 2, 5.001F, 6}), right, mistake));
+    EXPECT_FALSE(rounded(floats({1, 2, 5.01F, 6})));
+    EXPECT_FALSE(rounded(floats({1, 2, 5.001F, 4}))) << "only half of it";
+    EXPECT_FALSE(rounded(floats({1, 2, 5}))) << "another shape";
+}
+
 TEST(Mistakes, many_right_rows_do_not_make_two_errors_the_same)
 {
     const Check check = check_of(JudgeKind{"numbers"}, ulps(2));

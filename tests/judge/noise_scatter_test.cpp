@@ -67,5 +67,21 @@ TEST(Noise, a_scatter_that_hides_nothing_is_free)
     EXPECT_EQ(found.metrics.at("scatter"), 0);
 }
 
+// One of eight quantities is 2.5 times too large: hardly a tenth of all that is estimated, and no matter of noise.
+TEST(Noise, a_quantity_that_is_far_off_is_not_called_scatter)
+{
+    Random random(seed);
+    const auto table = [&](double factor) {
+        std::vector<double> values;
+        for (int i = 0; i < 4000; ++i)
+            values.push_back((i % 8 == 5 ? factor : 1) * 0.5 * mean_of(random, exponential, 16));
+        return doubles(values, 8);
+    };
+    const Judgement found = judge(noise_check(5), table(2.5), table(1), nullptr);
+    EXPECT_EQ(found.right, 0);
+    EXPECT_EQ(found.message.find("scatter"), std::string::npos) << found.message;
+    EXPECT_NE(found.message.find("too"), std::string::npos) << found.message;
+}
+
 }
 }

@@ -2,26 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <umbral/core/random.hpp>
 #include <vector>
 
 #include "judge/noise/noise.hpp"
 #include "judge/statistics/error_budget.hpp"
 #include "noise_runs.hpp"
-#include "support/all_tests.hpp"
+#include "right_pictures.hpp"
 
 // Noisy pictures that lie a pixel beside their place: found, and no right one accused of it.
 namespace umbral::grader::test {
 namespace {
-
-Estimates noisy_estimates(Random& random, int samples, Noise noise, const Light& light = floor_and_ball)
-{
-    Estimates made{32, 32, 1, true, {}, {}};
-    for (int y = 0; y < 32; ++y)
-        for (int x = 0; x < 32; ++x) made.values.push_back(light(2 * x, 2 * y) * mean_of(random, noise, samples));
-    return made;
-}
 
 /// Two bricks on a dark ground, 32 samples a pixel; no light leaves the picture where it is moved.
 Tensor bricks(Random& random, int right, int down)
@@ -121,38 +112,9 @@ TEST(NoiseShift, the_sum_compares_squared_differences)
 
 TEST(NoiseShift, right_pictures_are_not_accused)
 {
-    SCOPED_TRACE(seed);
-    Random random(seed + 7);
-    const int pairs = samples_for_tests(10000);
-    std::printf("seed %llu, %d pairs each: P(p <= x) / x of the alignment\n", static_cast<unsigned long long>(seed + 7),
-                pairs);
-    struct Case {
-        const char* name;
-        Noise yours;
-        int your_samples;
-        Noise expected;
-        int samples;
-    };
-    for (const Case& one :
-         {Case{"exponential", exponential, 1, exponential, 1},
-          Case{"exponential, 16", exponential, 16, exponential, 16}, Case{"fireflies", firefly, 4, firefly, 4},
-          Case{"exponential for uniform", exponential, 2, uniform, 4},
-          Case{"uniform for visible", uniform, 8, visible, 2}}) {
-        std::vector<double> p;
-        for (int i = 0; i < pairs; ++i) {
-            const Estimates a = noisy_estimates(random, one.your_samples, one.yours);
-            const Estimates b = noisy_estimates(random, one.samples, one.expected);
-            const TileSums sums = alignment_sums(a, b, 0, i % 2 == 1).sums;
-            p.push_back(tile_probability(sums, deviation_of(sums, forgiven_floats)));
-        }
-        std::printf("  %-24s", one.name);
-        for (const double x : {0.3, 0.1, 0.01, 1e-3}) {
-            const auto found = static_cast<double>(std::count_if(p.begin(), p.end(), [=](double v) { return v <= x; }));
-            std::printf("  %g: %.2f", x, found / pairs / x);
-            EXPECT_LE(found, pairs * x * 1.05 + 3.3 * std::sqrt(pairs * x)) << one.name << " " << x;
-        }
-        std::printf("\n");
-    }
+    expect_uniform("the alignment", [](const Estimates& a, const Estimates& b, int i) {
+        return std::vector{alignment_sums(a, b, 0, i % 2 == 1).sums};
+    });
 }
 
 TEST(NoiseShift, narrow_pictures_and_flat_ones_have_no_alignment)

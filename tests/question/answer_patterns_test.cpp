@@ -1,4 +1,5 @@
 #include "question/answer_patterns.hpp"
+#include "question/first_pattern.hpp"
 #include "question/nearly_right.hpp"
 
 #include <gtest/gtest.h>
@@ -28,41 +29,41 @@ AnswerTable table(std::size_t components, Wrong wrong, std::size_t rows = 1)
     return made;
 }
 
-std::string first(const AnswerTable& made)
-{
-    const std::vector<std::string> patterns = answer_patterns(made);
-    return patterns.empty() ? "" : patterns.front();
-}
-
 TEST(AnswerPatterns, say_what_is_always_answered)
 {
-    EXPECT_EQ(first(table(1, [](Row) { return Row{0}; })), "is always 0");
-    EXPECT_EQ(first(table(3, [](Row) { return Row{0, 0, 1}; })), "is always (0, 0, 1)");
-    EXPECT_EQ(first(table(1, [](Row) { return Row{}; })), "is empty");
-    EXPECT_EQ(first(table(1, [](Row) { return Row{std::numeric_limits<double>::quiet_NaN()}; })), "is not finite");
+    EXPECT_EQ(first_pattern(table(1, [](Row) { return Row{0}; })), "is 0");
+    EXPECT_EQ(first_pattern(table(3, [](Row) { return Row{0, 0, 1}; })), "is (0, 0, 1)");
+    EXPECT_EQ(first_pattern(table(1, [](Row) { return Row{}; })), "is empty");
+    EXPECT_EQ(first_pattern(table(1, [](Row) { return Row{std::numeric_limits<double>::quiet_NaN()}; })),
+              "is not finite");
 }
 
 TEST(AnswerPatterns, say_what_was_done_to_the_right_answer)
 {
-    EXPECT_EQ(first(table(1, [](Row right) { return Row{right[0] + 1}; })), "is the right one plus 1");
-    EXPECT_EQ(first(table(1, [](Row right) { return Row{2 * right[0]}; })), "is 2 times the right one");
-    EXPECT_EQ(first(table(1, [](Row right) { return Row{-right[0]}; })), "is the right one with the opposite sign");
+    EXPECT_EQ(first_pattern(table(1, [](Row right) { return Row{right[0] + 1}; })), "is the right one plus 1");
+    EXPECT_EQ(first_pattern(table(1, [](Row right) { return Row{2 * right[0]}; })), "is 2 times the right one");
+    EXPECT_EQ(first_pattern(table(1, [](Row right) { return Row{-right[0]}; })),
+              "is the right one with the opposite sign");
 }
 
 TEST(AnswerPatterns, say_which_number_of_a_row_differs)
 {
     const auto spoilt = [](Row right) { return Row{right[0], right[1] * right[1], right[2]}; };
-    EXPECT_EQ(first(table(3, spoilt)), "differs in y only");
+    EXPECT_EQ(first_pattern(table(3, spoilt)), "differs in y only");
     const auto moved = [](Row right) { return Row{right[0], right[1] - 3, right[2]}; };
-    EXPECT_EQ(first(table(3, moved)), "differs in y only, which is the right one minus 3");
-    EXPECT_EQ(first(table(3, [](Row right) { return Row{right[0] * right[0], right[1] * right[1], right[2]}; })), "");
+    EXPECT_EQ(first_pattern(table(3, moved)), "differs in y only, which is the right one minus 3");
+    EXPECT_EQ(first_pattern(table(3,
+                                  [](Row right) {
+                                      return Row{right[0] * right[0], right[1] * right[1], right[2]};
+                                  })),
+              "");
 }
 
 // What is lost by float, by constants of few digits or by differences has no simpler pattern.
 TEST(AnswerPatterns, say_of_small_errors_that_digits_are_lost)
 {
     const auto lost = [](std::size_t components, double much) {
-        return first(table(components, [much](Row right) {
+        return first_pattern(table(components, [much](Row right) {
             for (double& x : right) x += much * x * std::sin(1e3 * x);
             return right;
         }));
@@ -75,16 +76,16 @@ TEST(AnswerPatterns, say_of_small_errors_that_digits_are_lost)
     const auto beside = [](Row right) { return Row{1000, 1 + std::sin(right[0]), 5, 5, 5}; };
     AnswerTable mixed{5, 1, {}, {}, {}};
     for (int i = 0; i < 12; ++i) mixed.answers.push_back({beside({0.1 * i}), {1000, 7.0 + i, 5, 5, 5}, true});
-    EXPECT_EQ(first(mixed).find(nearly_right), std::string::npos);
+    EXPECT_EQ(first_pattern(mixed).find(nearly_right), std::string::npos);
     const auto one = [](Row right) { return Row{right[0], right[1], right[2] + 1e-3 * std::sin(1e3 * right[0])}; };
-    EXPECT_EQ(first(table(3, one)), std::string("differs in z only, and ") + nearly_right);
+    EXPECT_EQ(first_pattern(table(3, one)), std::string("differs in z only, and ") + nearly_right);
     // A count that is one too large is no matter of digits.
     AnswerTable counts{1, 0, {}, {}, {}};
     for (int i = 0; i < 12; ++i) {
         const double right = 1000.0 + 7 * i;
         counts.answers.push_back({{right + (i % 3 == 0 ? 1.0 : -2.0)}, {right}, true});
     }
-    EXPECT_EQ(first(counts), "");
+    EXPECT_EQ(first_pattern(counts), "");
 }
 
 TEST(AnswerPatterns, do_not_say_that_all_differs_but_what_a_row_is_about)
@@ -95,29 +96,29 @@ TEST(AnswerPatterns, do_not_say_that_all_differs_but_what_a_row_is_about)
         return right;
     };
     AnswerTable corners = table(6, spoilt);
-    EXPECT_NE(first(corners), "");
+    EXPECT_NE(first_pattern(corners), "");
     corners.keys = 3;
-    EXPECT_EQ(first(corners), "");
+    EXPECT_EQ(first_pattern(corners), "");
     corners =
         table(6, [](Row right) { return Row{right[0], right[1], right[2], right[3], right[4] * right[4], right[5]}; });
     corners.keys = 3;
     corners.columns.clear();
-    EXPECT_EQ(first(corners), "differs in its number 2 only");
+    EXPECT_EQ(first_pattern(corners), "differs in its number 2 only");
 }
 
 TEST(AnswerPatterns, say_which_rows_of_a_list_are_missing_or_too_many)
 {
     const auto cut = [](Row right) { return Row(right.begin(), right.end() - 1); };
-    EXPECT_EQ(first(table(1, cut, 4)), "lacks the last row");
-    EXPECT_EQ(first(table(
+    EXPECT_EQ(first_pattern(table(1, cut, 4)), "lacks the last row");
+    EXPECT_EQ(first_pattern(table(
                   1, [](Row right) { return Row(right.begin() + 1, right.end()); }, 4)),
               "lacks the first row");
     const auto longer = [](Row right) {
         right.push_back(right.front());
         return right;
     };
-    EXPECT_EQ(first(table(1, longer, 4)), "has a row too many at its end");
-    EXPECT_EQ(first(table(
+    EXPECT_EQ(first_pattern(table(1, longer, 4)), "has a row too many at its end");
+    EXPECT_EQ(first_pattern(table(
                   1, [](Row right) { return Row(right.rbegin(), right.rend()); }, 4)),
               "has its rows in the opposite order");
 }
@@ -127,16 +128,16 @@ TEST(AnswerPatterns, of_few_wrong_answers_say_only_which_numbers_differ)
 {
     AnswerTable made = table(3, [](Row right) { return Row{right[0], right[1] - 3, right[2]}; });
     made.answers.resize(4);
-    EXPECT_EQ(answer_patterns(made), std::vector<std::string>{"differs in y only"});
+    EXPECT_EQ(answer_patterns(made), (std::vector<AnswerPattern>{{"differs in y only", CommonTells::place}}));
     made.answers.resize(2);
-    EXPECT_EQ(answer_patterns(made), std::vector<std::string>{}) << "the one row is shown anyway";
+    EXPECT_EQ(answer_patterns(made), std::vector<AnswerPattern>{}) << "the one row is shown anyway";
 }
 
 TEST(AnswerPatterns, say_nothing_of_few_wrong_answers)
 {
     AnswerTable made = table(1, [](Row) { return Row{0}; });
     made.answers.resize(2 * (least_wrong - 1));
-    EXPECT_EQ(first(made), "");
+    EXPECT_EQ(first_pattern(made), "");
 }
 
 /// Questions of one number t and one vector v, with their right answers, and wrong ones made of both.
@@ -164,7 +165,7 @@ AnswerTable asked_table(std::size_t components, Wrong wrong)
 TEST(AnswerPatterns, say_what_wrong_answers_have_to_do_with_their_questions)
 {
     const auto number = [](auto wrong) {
-        return first(asked_table(1, [&](double t, const Row& v, const Row& right) {
+        return first_pattern(asked_table(1, [&](double t, const Row& v, const Row& right) {
             return Row{wrong(t, std::hypot(v[0], v[1], v[2]), right[0])};
         }));
     };
@@ -178,16 +179,16 @@ TEST(AnswerPatterns, say_what_wrong_answers_have_to_do_with_their_questions)
     EXPECT_EQ(number([](double, double, double right) { return 0.5 * right + 3; }),
               "is 0.5 times the right one plus 3");
     EXPECT_EQ(number([](double t, double, double right) { return t * t * right + 1; }), "");
-    EXPECT_EQ(first(asked_table(3,
-                                [](double t, const Row&, const Row& right) {
-                                    return Row{right[0], right[1], right[2] + t};
-                                })),
+    EXPECT_EQ(first_pattern(asked_table(3,
+                                        [](double t, const Row&, const Row& right) {
+                                            return Row{right[0], right[1], right[2] + t};
+                                        })),
               "differs in z only, which is the right one plus t");
 }
 
 TEST(AnswerPatterns, say_what_wrong_vectors_are)
 {
-    const auto vector = [](auto wrong) { return first(asked_table(3, wrong)); };
+    const auto vector = [](auto wrong) { return first_pattern(asked_table(3, wrong)); };
     EXPECT_EQ(vector([](double, const Row& v, const Row&) { return v; }), "is v");
     EXPECT_EQ(vector([](double, const Row& v, const Row&) {
                   return Row{-v[0], -v[1], -v[2]};
@@ -220,7 +221,7 @@ TEST(AnswerPatterns, say_which_columns_of_a_matrix_are_wrong)
         for (std::size_t i = 3; i < 6; ++i) right[i] *= length;
         return right;
     };
-    EXPECT_EQ(first(asked_table(9, scaled)),
+    EXPECT_EQ(first_pattern(asked_table(9, scaled)),
               "is right but for some columns: column 1 is the right one times the length of v");
 }
 
@@ -235,21 +236,21 @@ TEST(AnswerPatterns, say_that_an_answer_comes_one_question_late)
     }
     made.answers.front().yours = made.answers.front().expected;
     made.answers.front().wrong = false;
-    EXPECT_EQ(first(made), "is the right one to the question before");
+    EXPECT_EQ(first_pattern(made), "is the right one to the question before");
 }
 
 TEST(AnswerPatterns, say_of_no_numbers_that_they_are_one_infinite_one)
 {
     AnswerTable made = asked_table(1, [](double t, const Row&, const Row&) { return Row{t * t}; });
     std::ranges::find_if(made.answers, &AnswerPair::wrong)->yours = {INFINITY};
-    EXPECT_EQ(first(made), "");
+    EXPECT_EQ(first_pattern(made), "");
 }
 
 TEST(AnswerPatterns, say_nothing_of_questions_about_infinity)
 {
     AnswerTable made = asked_table(1, [](double t, const Row&, const Row& right) { return Row{right[0] * t * t}; });
     for (double& t : made.facts.front().values) t = INFINITY;
-    EXPECT_EQ(first(made), "");
+    EXPECT_EQ(first_pattern(made), "");
 }
 
 // Answers by chance have nothing to do with anything.
@@ -262,7 +263,7 @@ TEST(AnswerPatterns, say_nothing_of_numbers_by_chance)
                 for (double& x : right) x = random.uniform(-2, 2);
                 return right;
             };
-            EXPECT_EQ(first(asked_table(components, chance)), "");
+            EXPECT_EQ(first_pattern(asked_table(components, chance)), "");
         }
 }
 
@@ -275,7 +276,7 @@ TEST(AnswerPatterns, say_nothing_of_random_answers)
             for (const double number : right) wrong.push_back(number * random.uniform(0.5F, 1.5F));
             return wrong;
         };
-        EXPECT_EQ(first(table(3, noise, static_cast<std::size_t>(round) % 3 + 1)), "") << "round " << round;
+        EXPECT_EQ(first_pattern(table(3, noise, static_cast<std::size_t>(round) % 3 + 1)), "") << "round " << round;
     }
 }
 

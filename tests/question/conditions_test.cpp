@@ -1,12 +1,11 @@
 #include "question/conditions.hpp"
 #include "question/possible_conditions.hpp"
-#include "question/quantity.hpp"
+#include "question/words_of_condition.hpp"
 
 #include <gtest/gtest.h>
 
-#include <fmt/format.h>
-
 #include <cmath>
+#include <functional>
 #include <set>
 #include <umbral/core/random.hpp>
 
@@ -32,23 +31,9 @@ QuestionTable rays(std::uint64_t seed)
     return table;
 }
 
-template <class Test>
-std::vector<bool> wrong_where(const QuestionTable& table, const Test& test)
-{
-    std::vector<bool> wrong;
-    for (const std::vector<double>& row : table.numbers) wrong.push_back(test(row));
-    return wrong;
-}
-
 double apart(const std::vector<double>& row)
 {
     return std::sqrt(std::pow(row[0] - row[4], 2) + std::pow(row[1] - row[5], 2) + std::pow(row[2] - row[6], 2));
-}
-
-std::string words(const QuestionTable& table, const std::vector<bool>& wrong)
-{
-    const auto condition = simplest_condition(facts_of(table), wrong);
-    return condition ? condition->words : "nothing";
 }
 
 TEST(Conditions, find_that_the_origin_lies_inside)
@@ -139,6 +124,58 @@ TEST(Conditions, say_whether_they_tell_of_the_right_answer)
     EXPECT_FALSE(of_answer(wrong_where(table, [](const auto& row) { return row[4] < 0; })));
 }
 
+std::string condition_on(const std::vector<double>& values, const std::function<bool(double)>& is_wrong,
+                         std::size_t answers_from = 1)
+{
+    QuestionTable table{{"number"}, {}, answers_from};
+    for (const double value : values) table.numbers.push_back({value});
+    return words(table, wrong_where(table, [&](const std::vector<double>& row) { return is_wrong(row[0]); }));
+}
+
+// Between two groups of numbers a bound can be put anywhere: what it is not, is simpler.
+TEST(Conditions, put_no_bound_between_a_few_different_numbers)
+{
+    const auto large = [](double x) { return x > 0.3; };
+    std::vector<double> values;
+    for (int i = 0; i < 20; ++i) values.push_back(i % 2 == 0 ? 0.0 : 0.8 + 0.001 * i);
+    EXPECT_EQ(condition_on(values, large, 0), "number is not 0");
+    for (double& x : values) x += 0.1;
+    EXPECT_EQ(condition_on(values, large), "nothing") << "at least 0.4, 0.5, or 0.9";
+    // Counts: that all but one group are wrong says that one, and no bound.
+    std::vector<double> counts;
+    for (int i = 0; i < 40; ++i) counts.push_back(3 + i % 6);
+    EXPECT_EQ(condition_on(counts, [](double x) { return x > 5; }), "number is at least 6");
+    EXPECT_EQ(condition_on(counts, [](double x) { return x > 7; }), "nothing");
+    EXPECT_EQ(condition_on(
+                  counts, [](double x) { return x > 5; }, 0),
+              "nothing")
+        << "codes have no order";
+}
+
+TEST(Conditions, take_numbers_that_always_are_one_for_no_equal_ones)
+{
+    QuestionTable table{{"radius", "distance"}, {}};
+    for (int i = 0; i < 40; ++i) table.numbers.push_back({2.5, i % 2 == 0 ? 2.5 : 2.1 + 0.1 * (i % 7)});
+    const auto equal = [](const std::vector<double>& row) { return row[0] == row[1]; };
+    EXPECT_EQ(words(table, wrong_where(table, equal)), "nothing");
+    for (int i = 0; i < 40; ++i)
+        for (double& x : table.numbers[static_cast<std::size_t>(i)]) x += 0.25 * (i % 5);
+    EXPECT_EQ(words(table, wrong_where(table, equal)), "radius is equal to distance");
+}
+
+TEST(Conditions, know_which_are_simple)
+{
+    const QuestionTable table = rays(4);
+    const auto simple = [&](const auto& test) {
+        return simplest_condition(facts_of(table), wrong_where(table, test))->is_simple;
+    };
+    EXPECT_TRUE(simple([](const auto& row) { return row[3] > 0; }));
+    EXPECT_TRUE(simple([](const auto& row) { return row[4] < 0; }));
+    EXPECT_FALSE(simple([](const auto& row) { return row[7] >= 1; }));
+    EXPECT_FALSE(simple([](const auto& row) { return apart(row) < row[7]; }));
+    EXPECT_FALSE(simple([](const auto& row) { return row[3] > 0 && row[5] < 0; }));
+}
+
 TEST(Conditions, join_two_where_one_does_not_do)
 {
     const QuestionTable table = rays(3);
@@ -226,66 +263,9 @@ TEST(Conditions, hold_or_not_on_other_questions)
 TEST(Conditions, compare_no_angle_with_a_length)
 {
     QuestionTable table{{"side", "fovy_degrees", "distance"}, {}};
-    for (int i = 0; i < 40; ++i) table.numbers.push_back({1.0 + i % 3, i % 2 == 0 ? 120.0 + i : 0.3, 9.0});
+    for (int i = 0; i < 40; ++i) table.numbers.push_back({1.0 + i % 3, i % 2 == 0 ? 105.5 + i : 99.5 - i, 9.0});
     const auto wide = [](const std::vector<double>& row) { return row[1] > 100; };
-    EXPECT_EQ(words(table, wrong_where(table, wide)), "fovy_degrees is at least 60");
-}
-
-TEST(Facts, measure_no_distance_between_a_place_and_a_direction)
-{
-    EXPECT_EQ(quantity_of("ray.direction"), Quantity::direction);
-    EXPECT_EQ(quantity_of("camera.fovy_degrees"), Quantity::angle);
-    EXPECT_EQ(quantity_of("the right answer"), Quantity::unknown);
-    EXPECT_EQ(quantity_of("group.size"), Quantity::unknown);
-    QuestionTable table{{"ray.origin.x", "ray.origin.y", "ray.direction.x", "ray.direction.y"}, {{1, 2, 3, 4}}};
-    for (const Fact& fact : facts_of(table))
-        EXPECT_EQ(fact.words.find("the distance"), std::string::npos) << fact.words;
-}
-
-TEST(PossibleConditions, say_nearly_of_what_is_so_but_for_a_little)
-{
-    const auto said = [](double sine) {
-        std::set<std::string> words;
-        const std::vector<Fact> facts{{.words = "u and v", .kind = Fact::Kind::parallel, .values = {sine, 0.5}}};
-        for (const PossibleCondition& one : possible_conditions(facts, {true, false})) words.insert(one.words);
-        return words;
-    };
-    EXPECT_TRUE(said(0).contains("u and v are parallel"));
-    EXPECT_TRUE(said(1e-6).contains("u and v are parallel, or nearly"));
-    EXPECT_TRUE(said(1).contains("u and v are perpendicular"));
-    EXPECT_TRUE(said(1 - 1e-12).contains("u and v are perpendicular, or nearly"));
-}
-
-TEST(Facts, know_which_way_round_three_corners_go_and_what_mirrors)
-{
-    QuestionTable table{{"area", "t.a.x", "t.a.y", "t.b.x", "t.b.y", "t.c.x", "t.c.y"}, {}};
-    table.numbers = {{1, 0, 0, 2, 0, 0, 3}, {1, 0, 0, 0, 3, 2, 0}};
-    for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row) table.names.push_back(fmt::format("m[{}][{}]", column, row));
-    for (const double entry : {0.0, 2.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 3.0}) table.numbers[0].push_back(entry);
-    for (const double entry : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0}) table.numbers[1].push_back(entry);
-    const std::vector<Fact> facts = facts_of(table);
-    const auto values = [&](const std::string& words) {
-        const auto found = std::ranges::find(facts, words, &Fact::words);
-        return found == facts.end() ? std::vector<double>() : found->values;
-    };
-    EXPECT_EQ(values("the signed area of t.a, t.b and t.c"), (std::vector<double>{6, -6}));
-    ASSERT_EQ(values("the determinant of m").size(), 2U);
-    EXPECT_EQ(values("the determinant of m")[0], -6);
-    EXPECT_NEAR(values("the determinant of m")[1], -3, 1e-12);
-}
-
-TEST(Facts, know_lengths_products_and_parallel_vectors)
-{
-    const QuestionTable table{{"u.x", "u.y", "v.x", "v.y", "m[0][0]"}, {{3, 4, 6, 8, 1}, {1, 0, 0, 2, 1}}};
-    std::map<std::string, Fact> facts;
-    for (const Fact& fact : facts_of(table)) facts[fact.words] = fact;
-    EXPECT_EQ(facts.at("the length of u").values, (std::vector<double>{5, 1}));
-    EXPECT_EQ(facts.at("dot(u, v)").values, (std::vector<double>{50, 0}));
-    EXPECT_EQ(facts.at("the distance between u and v").values[0], 5);
-    EXPECT_EQ(facts.at("u and v").values, (std::vector<double>{0, 1}));
-    EXPECT_TRUE(facts.at("u.x").component);
-    EXPECT_TRUE(facts.at("m[0][0]").component);
+    EXPECT_EQ(words(table, wrong_where(table, wide)), "fovy_degrees is at least 100");
 }
 
 }

@@ -1,105 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstring>
-#include <functional>
-#include <memory>
-#include <umbral/core/ray.hpp>
-#include <umbral/record/ask.hpp>
-
-namespace umbral::sample {
-
-// As a unit's header declares them.
-struct Ball {
-    glm::vec3 centre;
-    float radius;
-};
-enum class Side { front, back };
-class Counter {
-public:
-    virtual ~Counter() = default;
-    virtual void add(int amount) = 0;
-    [[nodiscard]] virtual int total() const = 0;
-};
-
-std::optional<float> meet(const Ray& ray, const Ball& ball)
-{
-    return ray.direction.z < 0 ? std::optional(ball.radius) : std::nullopt;
-}
-float sum(std::span<const float> numbers, Side side)
-{
-    float result = side == Side::back ? 100.0F : 0.0F;
-    for (const float number : numbers) result += number;
-    return result;
-}
-bool is_odd(bool odd) { return odd; }
-void append_twice(float value, std::vector<float>& to) { to.insert(to.end(), 2, value); }
-
-using Step = std::function<void(Counter&)>;
-void take_steps(Counter& counter, const Step& step, int count)
-{
-    for (int i = 0; i < count; ++i) step(counter);
-}
-
-std::unique_ptr<Counter> make_counter(int first)
-{
-    class Real : public Counter {
-    public:
-        explicit Real(int first) : total_(first) {}
-        void add(int amount) override { total_ += amount; }
-        [[nodiscard]] int total() const override { return total_; }
-
-    private:
-        int total_;
-    };
-    return std::make_unique<Real>(first);
-}
-
-/// Keeps a reference to what it is made of, as a wrong solution may.
-std::unique_ptr<const void*> make_keeper(const std::shared_ptr<int>& number)
-{
-    return std::make_unique<const void*>(&number);
-}
-
-}
+#include "asking.hpp"
 
 namespace umbral {
 namespace {
-
-using namespace sample;
-
-/// What a driver's case leaves in a recording that takes down questions.
-template <class Case>
-Recorder::Tensors asked(const Inquiry& inquiry, const Case& run, const std::optional<OtherQuestion>& other = {})
-{
-    Questions questions(inquiry, other);
-    Recorder out(questions);
-    run(out);
-    Recorder::Tensors tensors = out.tensors();
-    questions.write(tensors);
-    return tensors;
-}
-
-std::string text(const Recorder::Tensors& tensors, std::string_view name)
-{
-    const Tensor& tensor = tensors.find(name)->second;
-    std::string text(reinterpret_cast<const char*>(tensor.bytes.data()), tensor.bytes.size());
-    std::ranges::replace(text, question_names::line_break, '|');
-    return text;
-}
-
-template <class Number>
-std::vector<Number> numbers(const Recorder::Tensors& tensors, std::string_view name)
-{
-    const Tensor& tensor = tensors.find(name)->second;
-    std::vector<Number> result(tensor.count());
-    std::memcpy(result.data(), tensor.bytes.data(), tensor.bytes.size());
-    return result;
-}
-
-const Inquiry first_two{.questions = true, .wanted = {0, 1}};
 
 TEST(Ask, calls_and_takes_nothing_down_where_nobody_wants_to_know)
 {
@@ -134,44 +38,6 @@ TEST(Ask, names_the_numbers_in_a_question)
               "the number of different elements in 0\tthe least number in 0\tthe largest number in 0\t1|front|back\n"
               "umbral::sample::is_odd\t0|false|true\n");
     EXPECT_EQ(numbers<double>(tensors, "?features 1"), (std::vector<double>{1, 2, 2, -7, 5, 1}));
-}
-
-TEST(Ask, can_ask_another_question_in_place_of_the_drivers)
-{
-    const auto answer = [](const OtherQuestion& other) {
-        const auto run = [](Recorder& out) {
-            out.append("t", ask<meet>(out, Ray{}, Ball{{1, 2, 3}, 4}));
-            out.append("sum", ask<sum>(out, std::array{5.0F, -7.0F}, Side::back));
-        };
-        const auto tensors = asked({}, run, other);
-        return std::pair(tensors.find("t")->second.present[0] == 1 ? numbers<float>(tensors, "t")[0] : -1,
-                         numbers<float>(tensors, "sum")[0]);
-    };
-    const std::string meet = "umbral::sample::meet";
-    EXPECT_EQ(answer({meet, "1.radius", "doubled", ""}), std::pair(8.0F, 98.0F));
-    EXPECT_EQ(answer({meet, "0.direction", "negated", ""}), std::pair(-1.0F, 98.0F));
-    EXPECT_EQ(answer({meet, "0.direction", "", "1.centre"}), std::pair(-1.0F, 98.0F));
-    EXPECT_EQ(answer({"umbral::sample::sum", "0", "without its last element", ""}), std::pair(4.0F, 105.0F));
-    EXPECT_EQ(answer({"umbral::sample::sum", "1", "taken as front", ""}), std::pair(4.0F, -2.0F));
-    EXPECT_EQ(answer({meet, "no such place", "negated", ""}), std::pair(4.0F, 98.0F));
-    EXPECT_EQ(answer({"", "umbral::sample::Ball.radius", "doubled", ""}), std::pair(8.0F, 98.0F));
-    EXPECT_EQ(answer({"", "umbral::Ray.direction", "negated", ""}), std::pair(-1.0F, 98.0F));
-}
-
-TEST(Ask, lists_what_could_be_asked_instead)
-{
-    const auto tensors = asked(first_two, [](Recorder& out) {
-        (void)ask<meet>(out, Ray{}, Ball{{1, 2, 3}, 4});
-        (void)ask<sum>(out, std::array{5.0F}, Side::back);
-        (void)ask<is_odd>(out, true);
-    });
-    const std::string others = text(tensors, "?others");
-    for (const char* const line :
-         {"umbral::sample::meet\t0.direction\tnegated\t\n", "umbral::sample::meet\t0.origin\t\t0.direction\n",
-          "umbral::sample::meet\t0.t_min\t\t1.radius\n", "\t1.radius\tsquared\t\n", "\tumbral::Ray.t_min\tnegated\t\n",
-          "umbral::sample::sum\t1\ttaken as front\t\n", "umbral::sample::sum\t1\ttaken as back\t\n",
-          "umbral::sample::is_odd\t0\ttaken as true\t\n", "umbral::sample::is_odd\t0\ttaken as false\t\n"})
-        EXPECT_NE(others.find(line), std::string::npos) << line << "in\n" << others;
 }
 
 TEST(Ask, passes_on_what_is_written_to)

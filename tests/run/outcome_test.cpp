@@ -231,6 +231,8 @@ TEST(Outcome, only_what_is_wanted_is_read_and_no_more_than_expected)
     EXPECT_EQ(outcome.recording.tensors.at("few").rows, 10U);
     ASSERT_EQ(outcome.recording.oversized.size(), 1U);
     EXPECT_EQ(outcome.recording.oversized.at("many").rows, 100U);
+    EXPECT_EQ(outcome.recording.oversized.at("many").beginning.rows, 50U);
+    EXPECT_EQ(outcome.recording.oversized.at("many").beginning.bytes.size(), 50 * sizeof(float));
 }
 
 TEST(Outcome, damage_is_never_a_result)

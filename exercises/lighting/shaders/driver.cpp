@@ -10,11 +10,16 @@ using namespace lighting;
 
 void record_points(Recorder& out, std::string_view name, const std::vector<Probe>& probes, const gl::Program& program)
 {
-    const std::vector<glm::vec3> colors = colors_of(probes, program);
-    for (std::size_t i = 0; i < colors.size(); ++i) {
-        ask_point(out, probes[i]);
-        out.append(name, colors[i]);
-    }
+    std::vector<PointInputs> points;
+    for (const Probe& probe : probes) points.push_back(inputs_of(probe));
+    record_single_points(
+        out, name, "the shaders", points,
+        [](const PointInputs&) { return "// a point that lies here in eye coordinates:\n"; },
+        [&](const std::vector<PointInputs>& inputs) {
+            std::vector<Probe> asked;
+            for (const PointInputs& one : inputs) asked.push_back(probe_of(one));
+            return colors_of(asked, program);
+        });
 }
 
 // A scene as one picture.
@@ -53,12 +58,12 @@ void record_laws(Recorder& out, const Scene& still_life, const gl::Program& prog
 // One case for many pictures: most of a run's time goes into compiling the shaders.
 void record_pictures(Case& what, Recorder& out)
 {
-    const auto program = compile(what);
+    const gl::Program& program = compiled(what);
     const auto record = [&](const char* name, const Scene& scene) {
-        record_scene(out, name, varied(what.vary, scene), *program);
+        record_scene(out, name, varied(what.vary, scene), program);
     };
     const Scene still = varied(what.vary, still_life());
-    record_scene(out, "still life", still, *program);
+    record_scene(out, "still life", still, program);
     record("diffuse sphere", diffuse_sphere());
     record("exponents", exponents());
     record("near lamps", near_lamps());
@@ -68,20 +73,20 @@ void record_pictures(Case& what, Recorder& out)
     record("coarse flat", coarse_sphere(true));
     record("bowls smooth", bowls(false));
     record("bowls flat", bowls(true));
-    record_laws(out, still, *program);
+    record_laws(out, still, program);
 }
 
 }
 
 const Driver driver = {
     {"pictures", record_pictures},
-    {"edges", [](Case& c, Recorder& out) { record_points(out, "colors", edges(c.vary), *compile(c)); }},
+    {"edges", [](Case& c, Recorder& out) { record_points(out, "colors", edges(c.vary), compiled(c)); }},
     {"random",
      [](Case& c, Recorder& out) {
-         const auto program = compile(c);
-         record_points(out, "points", random_points(c.random), *program);
-         record_scene(out, "smooth", random_scene(c.random, false), *program);
-         record_scene(out, "flat", random_scene(c.random, true), *program);
+         const gl::Program& program = compiled(c);
+         record_points(out, "points", random_points(c.random), program);
+         record_scene(out, "smooth", random_scene(c.random, false), program);
+         record_scene(out, "flat", random_scene(c.random, true), program);
      }},
 };
 

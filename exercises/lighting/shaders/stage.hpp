@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
 #include <glm/glm.hpp>
+#include <kit/single_points.hpp>
 #include <memory>
 #include <string>
 #include <umbral/core/grid.hpp>
@@ -9,7 +11,6 @@
 #include <umbral/gl/mesh.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
-#include <umbral/record/ask.hpp>
 #include <umbral/record/case.hpp>
 #include <vector>
 
@@ -46,6 +47,12 @@ inline std::unique_ptr<gl::Program> compile(const Case& what)
                                                  gl::ShaderSource{"phong.frag", what.source("phong.frag")});
     program->require_interface(shader_interface());
     return program;
+}
+
+/// The same, once for all times that the case is run.
+inline const gl::Program& compiled(const Case& what)
+{
+    return what.once([&] { return compile(what); });
 }
 
 /// One thing in a scene.
@@ -126,13 +133,6 @@ inline Image draw(const Scene& scene, const gl::Program& program, const glm::vec
     return picture;
 }
 
-/// "name = value", as what a shader is given is written in questions.
-template <class Value>
-std::string uniform_line(const char* name, const Value& value)
-{
-    return std::string(name) + " = " + literal::of_value(value, true, {}) + "\n";
-}
-
 inline std::string lights_text(const std::vector<Light>& lights, const glm::vec3& global_ambient)
 {
     std::vector<glm::vec4> positions;
@@ -177,15 +177,47 @@ struct Probe {
     glm::mat4 view{1};
 };
 
-/// What one point is drawn with.
-inline void ask_point(Recorder& out, const Probe& probe)
+/// What the shaders are fed with for one point, under the names that they know.
+struct PointInputs {
+    glm::vec3 position{0};
+    glm::vec3 normal{0};
+    glm::mat4 view{1};
+    glm::mat4 model{1};
+    glm::vec3 global_ambient{0};
+    std::vector<glm::vec4> light_position{};
+    std::vector<glm::vec3> light_color{};
+    glm::vec3 emission{0};
+    glm::vec3 ambient{0};
+    glm::vec3 diffuse{0};
+    glm::vec3 specular{0};
+    float shininess = 0;
+};
+
+inline PointInputs inputs_of(const Probe& probe)
 {
-    ask_in_words(out, [&] {
-        return "// a point that lies here in eye coordinates:\n" + uniform_line("position", probe.position) +
-               uniform_line("normal", probe.normal) + uniform_line("view", probe.view) +
-               uniform_line("model", probe.model) + lights_text(probe.lights, probe.global_ambient) +
-               material_text(probe.material);
-    });
+    const Material& made_of = probe.material;
+    PointInputs inputs{
+        probe.position,   probe.normal,    probe.view,      probe.model,      probe.global_ambient, {}, {},
+        made_of.emission, made_of.ambient, made_of.diffuse, made_of.specular, made_of.shininess};
+    for (const auto& [position, color] : probe.lights) {
+        inputs.light_position.push_back(position);
+        inputs.light_color.push_back(color);
+    }
+    return inputs;
+}
+
+inline Probe probe_of(const PointInputs& inputs)
+{
+    Probe probe{inputs.position,
+                inputs.normal,
+                {inputs.emission, inputs.ambient, inputs.diffuse, inputs.specular, inputs.shininess},
+                {},
+                inputs.global_ambient,
+                inputs.model,
+                inputs.view};
+    for (std::size_t i = 0; i < std::min(inputs.light_position.size(), inputs.light_color.size()); ++i)
+        probe.lights.push_back({inputs.light_position[i], inputs.light_color[i]});
+    return probe;
 }
 
 /// The colours (0 to 1) of single points, each drawn as one pixel: no triangle, no interpolation, smooth shading.
@@ -197,9 +229,7 @@ inline std::vector<glm::vec3> colors_of(const std::vector<Probe>& probes, const 
     glEnable(GL_DEPTH_TEST);
     glPointSize(1);
     // Every point goes to the middle of its own pixel, wherever it lies.
-    glm::mat4 to_centre(0);
-    to_centre[3] = {0, 0, 0, 1};
-    program.set("projection", to_centre);
+    program.set("projection", to_centre());
     program.set("flat_shading", 0);
     for (int i = 0; i < size; ++i) {
         const Probe& probe = probes[static_cast<std::size_t>(i)];

@@ -16,6 +16,9 @@ using namespace meshes;
 
 constexpr const char* names_of_faults = "0 mesh\n1 crowded edge\n2 lonely vertex\n3 torn vertex\n";
 
+/// Of a triangle; the first row of a mesh is the number of its triangles.
+constexpr const char* corner_names = "first index, second index, third index";
+
 /// Triangles one by one, each begun at its smallest index.
 void record_triangles(Recorder& out, const char* name, const std::vector<glm::uvec3>& triangles, std::size_t count)
 {
@@ -43,6 +46,7 @@ void record_faults(Recorder& out, const IndexedMesh& mesh)
 /// Wound coherently, or the word that this cannot be: a row of minus one, and nothing for the triangles.
 void record_coherent(Recorder& out, const IndexedMesh& mesh)
 {
+    out.columns("triangles", corner_names);
     const auto triangles = ask<coherent_triangles>(out, mesh);
     out.append("possible", triangles.has_value());
     out.append("triangles", glm::vec3(triangles ? static_cast<float>(triangles->size()) : -1));
@@ -98,6 +102,7 @@ void record_windings(Variation& vary, Random& random, Recorder& out)
 
 void record_outward(Recorder& out, const IndexedMesh& mesh)
 {
+    out.columns("triangles", corner_names);
     const std::vector<glm::uvec3> triangles = ask<outward_triangles>(out, mesh);
     out.append("triangles", glm::vec3(static_cast<float>(triangles.size())));
     record_triangles(out, "triangles", triangles, mesh.triangles.size());

@@ -200,6 +200,7 @@ void record_index_counts(Random& random, Recorder& out)
 // Strips of any lengths, empty ones too; and those of problem 2.3, by the driver's own hand.
 void record_coordinates(Random& random, Recorder& out)
 {
+    out.columns("bytes", "coordinates, indexed");
     const auto record = [&](const std::vector<glm::vec3>& positions, const std::vector<Strip>& strips) {
         const StripBytes bytes = ask<strip_bytes>(out, positions.size(), strips);
         out.append("bytes", glm::vec2(bytes.coordinates, bytes.indexed));

@@ -108,6 +108,7 @@ std::array<float, 5> size_of(const IndexedPolygon& polygon)
 
 void name_sizes(Recorder& out)
 {
+    out.columns("tables", "polygon_loop's size, polygon_segments' size");
     out.columns("fan",
                 "positions, triangles, edges, sum of the triangles' indices modulo 10007, "
                 "sum of the edges' indices modulo 10007");
@@ -154,6 +155,7 @@ float last_at_origin(const std::vector<glm::vec2>& positions)
 // if no joint gapes. And of fans, how many vertices they have, and which is the centre.
 void record_joints(Variation& vary, Random& random, Recorder& out)
 {
+    out.columns("joints", "different vertices, the last one's first place or the centre's");
     std::vector<std::uint32_t> all = {3, 4, 5, 7, 12, 100};
     for (std::uint32_t& sides : all) sides = any_instead(vary, sides, 3U, 1000);
     for (int i = 0; i < 10; ++i) all.push_back(3 + random.below(1000));

@@ -17,6 +17,7 @@ using namespace pipeline;
 
 void record_answer(Recorder& out, const ShaderTexts& texts)
 {
+    out.columns("log", "bytes, their sum");
     const auto [step, size, sum] = answer_to(out, texts);
     out.append("step", step);
     out.append("log", glm::vec2(size, sum));
@@ -41,6 +42,7 @@ glm::vec2 objects() { return {living(glIsProgram), living(glIsShader)}; }
 // end.
 void leaks(Case&, Recorder& out)
 {
+    out.columns("alive", "programs, shaders");
     const glm::vec2 at_first = objects();
     std::vector<Program> programs;
     for (const ShaderTexts& texts : failing_texts()) {

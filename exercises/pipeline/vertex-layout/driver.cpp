@@ -15,6 +15,7 @@ using namespace pipeline;
 // Offset and stride of each attribute, and the size of it all.
 void record_layout(Recorder& out, const char* name, const VertexLayout& layout, std::size_t attributes)
 {
+    out.columns(name, "offset or bytes of all, stride or number of places");
     const auto number = [](std::uint64_t value) { return static_cast<double>(value); };
     for (std::size_t i = 0; i < attributes; ++i) {
         const bool there = i < layout.places.size();

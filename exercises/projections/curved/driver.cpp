@@ -179,6 +179,7 @@ void record_random(Random& random, Recorder& out)
 
 void record_seam(Recorder& out, const std::array<float, 3>& angles)
 {
+    out.columns("angles", "first, second, third");
     const std::array<float, 3> moved = ask<without_seam>(out, angles);
     out.append("angles", glm::vec3(moved[0], moved[1], moved[2]));
 }

@@ -198,6 +198,7 @@ void record_waves(Recorder& out, const PrimaryCamera& camera, const glm::ivec3& 
                std::to_string(kind.z) + (with_dark ? ", waves with darkness between them)" : ", waves)");
     });
     const Grid<glm::vec3> picture = render_picture(camera, kind.x, kind.y, kind.z, light_along);
+    out.columns("size", "width, height");
     out.append("size", glm::vec2(picture.width, picture.height));
     out.append("rays", asked);
     for (int y = 0; y < kind.y; ++y)

@@ -30,11 +30,14 @@ void record_sponges(Case& what, Recorder& out)
 const Driver driver = {
     {"balls", record_balls},
     {"sponge", record_sponges},
-    {"rays", [](Case& c,
-                Recorder& out) { record_rays(out, "balls", *compile_ray_tracer(c), random_ball_rays(c.random, 250)); }},
+    {"rays",
+     [](Case& c, Recorder& out) {
+         record_rays(out, "balls", c.once([&] { return compile_ray_tracer(c); }), random_ball_rays(c.random, 250));
+     }},
     {"marches",
      [](Case& c, Recorder& out) {
-         record_rays(out, "sponge", *compile_distance_field(c), random_sponge_rays(c.random, 200));
+         record_rays(out, "sponge", c.once([&] { return compile_distance_field(c); }),
+                     random_sponge_rays(c.random, 200));
      }},
 };
 

@@ -3,7 +3,7 @@
 #include <kit/varied.hpp>
 #include <umbral/record/variation.hpp>
 
-#include "stage.hpp"
+#include "rays.hpp"
 
 /// What the cases of raytracing/fragment-shader show.
 namespace umbral::raytracing {
@@ -287,6 +287,7 @@ inline std::vector<OneRay<SpongeScene>> random_sponge_rays(Random& random, int c
             scene.look.target = scene.look.eye + random.unit_vector();
         }
         if (kind >= 8) aim_along_face(random, scene, axis, kind == 9);
+        scene.sun = normalize(scene.sun);
         rays.push_back(ray);
     }
     return rays;

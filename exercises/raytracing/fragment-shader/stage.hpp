@@ -1,11 +1,11 @@
 #pragma once
 
 #include <kit/double_frame.hpp>
-#include <kit/single_points.hpp>
 #include <memory>
 #include <string>
 #include <umbral/core/random.hpp>
 #include <umbral/gl/program.hpp>
+#include <umbral/record/ask_inputs.hpp>
 #include <umbral/record/case.hpp>
 #include <umbral/record/recorder.hpp>
 #include <vector>
@@ -125,10 +125,14 @@ inline void give_look(const gl::Program& program, const RayLook& look)
     program.set("zenith", look.zenith);
 }
 
+inline std::string camera_text(const RayLook& look)
+{
+    return uniform_line("eye", look.eye) + uniform_line("camera", axes_of(look));
+}
+
 inline std::string look_text(const RayLook& look)
 {
-    return uniform_line("eye", look.eye) + uniform_line("camera", axes_of(look)) +
-           uniform_line("half_height", look.half_height);
+    return camera_text(look) + uniform_line("half_height", look.half_height);
 }
 
 inline void give(const gl::Program& program, const BallScene& scene)
@@ -157,15 +161,20 @@ inline void give(const gl::Program& program, const BallScene& scene)
     program.set("levels", scene.levels);
 }
 
+inline std::string balls_text(const BallScene& scene)
+{
+    std::string text;
+    for (const TracedBall& ball : scene.balls)
+        text += "// sphere " + literal::of_value(ball.sphere, true, {}) + ", color " +
+                literal::of_value(ball.color, true, {}) + ", mirror " + literal::of_value(ball.mirror, true, {}) + "\n";
+    return text;
+}
+
 inline std::string scene_text(const BallScene& scene)
 {
-    std::string text = look_text(scene.look) + uniform_line("light_position", scene.light_position) +
-                       uniform_line("levels", scene.levels) + uniform_line("floor_mirror", scene.floor_mirror) +
-                       uniform_line("floor_radius", scene.floor_radius);
-    for (const TracedBall& ball : scene.balls)
-        text += "// sphere " + literal::of_value(ball.sphere, true, {}) + ", mirror " +
-                literal::of_value(ball.mirror, true, {}) + "\n";
-    return text;
+    return look_text(scene.look) + uniform_line("light_position", scene.light_position) +
+           uniform_line("levels", scene.levels) + uniform_line("floor_mirror", scene.floor_mirror) +
+           uniform_line("floor_radius", scene.floor_radius) + balls_text(scene);
 }
 
 inline void give(const gl::Program& program, const SpongeScene& scene)
@@ -226,44 +235,6 @@ Image drawn(Recorder& out, const gl::Program& program, const Scene& scene, int w
     give(program, scene);
     WholePicture(program).draw();
     return frame.picture();
-}
-
-/// One ray of a scene: through this place of its picture.
-template <class Scene>
-struct OneRay {
-    Scene scene;
-    glm::vec2 place{0};
-};
-
-/// The colours of single rays, 0 to 1, each drawn as one pixel.
-template <class Scene>
-std::vector<glm::vec3> colors_of_rays(const gl::Program& program, const std::vector<OneRay<Scene>>& rays)
-{
-    const auto size = static_cast<int>(rays.size());
-    const gl::Framebuffer frame(size, 1);
-    frame.clear({1, 0, 1, 1});
-    program.set("aspect", 1.0F);
-    const WholePicture triangle(program);
-    for (int i = 0; i < size; ++i) {
-        glViewport(i, 0, 1, 1);
-        give(program, rays[static_cast<std::size_t>(i)].scene);
-        program.set("shift", rays[static_cast<std::size_t>(i)].place);
-        triangle.draw();
-    }
-    std::vector<glm::vec3> colors;
-    for (const glm::u8vec4& pixel : frame.read_pixels().cells) colors.push_back(glm::vec3(pixel) / 255.0F);
-    return colors;
-}
-
-template <class Scene>
-void record_rays(Recorder& out, std::string_view name, const gl::Program& program,
-                 const std::vector<OneRay<Scene>>& rays)
-{
-    const std::vector<glm::vec3> colors = colors_of_rays(program, rays);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        ask_in_words(out, [&] { return scene_text(rays[i].scene) + uniform_line("place", rays[i].place); });
-        out.append(name, colors[i]);
-    }
 }
 
 }

@@ -10,14 +10,14 @@ using namespace raytracing;
 
 void record_first_pass(Case& what, Recorder& out)
 {
-    const auto distances = compile_distances(what);
-    record_distances(out, probe_pairs(what.random, 60, {0.2, 1, 0.05}), *distances);
+    const gl::Program& distances = what.once([&] { return compile_distances(what); });
+    record_distances(out, probe_pairs(what.random, 60, {0.2, 1, 0.05}), distances);
     // A lamp's view and a sun's, side by side.
     const glm::vec3 lamp = what.vary.near(glm::vec3(1, 2.2F, 2.5F), 0.5F);
     const glm::vec3 sun = what.vary.near(glm::vec3(-0.6F, 1, 0.8F), 0.4F);
-    const Grid<float> lamps = map_of(out, *distances, seen_by(lamp_at(lamp, {0.1F, -0.3F, 0}, 55, 1.3F)));
+    const Grid<float> lamps = map_of(out, distances, seen_by(lamp_at(lamp, {0.1F, -0.3F, 0}, 55, 1.3F)));
     out.tile("map", 0, 0, lamps.width, lamps.height);
-    const Grid<float> suns = map_of(out, *distances, seen_by(sun_from(sun, {0, 0, 0}, {2.2F, 1.6F})));
+    const Grid<float> suns = map_of(out, distances, seen_by(sun_from(sun, {0, 0, 0}, {2.2F, 1.6F})));
     out.tile("map", lamps.width, 0, suns.width, suns.height);
     Grid<float> both(lamps.width + suns.width, lamps.height);
     for (int y = 0; y < both.height; ++y)
@@ -46,7 +46,7 @@ void record_pairs(Case& what, Recorder& out)
     std::vector<ShadowProbe> probes = probe_pairs(what.random, 100, {});
     const std::vector<ShadowProbe> grazing = probe_pairs(what.random, 20, {0.02, 0.05, 0.05});
     probes.insert(probes.end(), grazing.begin(), grazing.end());
-    record_colors(out, probes, *compile_shadows(what));
+    record_colors(out, probes, compiled_shadows(what));
 }
 
 }
@@ -59,10 +59,10 @@ const Driver driver = {
     // fine maps, so that what float makes of the angle does not count.
     {"facing",
      [](Case& c, Recorder& out) {
-         record_colors(out, probe_pairs(c.random, 40, {1, 1, 0.4, 32}), *compile_shadows(c));
+         record_colors(out, probe_pairs(c.random, 40, {1, 1, 0.4, 32}), compiled_shadows(c));
      }},
     {"off the map",
-     [](Case& c, Recorder& out) { record_colors(out, probes_off_the_map(c.random, 60), *compile_shadows(c)); }},
+     [](Case& c, Recorder& out) { record_colors(out, probes_off_the_map(c.random, 60), compiled_shadows(c)); }},
     {"random", record_pairs},
 };
 

@@ -194,45 +194,70 @@ inline std::vector<glm::vec3> colors_of(const std::vector<ShadowProbe>& probes, 
     return colors;
 }
 
+inline std::string map_text(const ShadowProbe& probe)
+{
+    return "// a map of " + std::to_string(probe.light.texels.x) + " x " + std::to_string(probe.light.texels.y) +
+           " texels, of which (" + std::to_string(probe.texel.x) + ", " + std::to_string(probe.texel.y) + ") holds " +
+           literal::of_value(probe.here, true, {}) + " and all others " + literal::of_value(probe.elsewhere, true, {}) +
+           "\n// a point that lies here in the world:\n";
+}
+
+/// What both passes are fed with for a point, under the names that they know; its place and normal in the world.
+template <class Visit>
+void for_each_input(ShadowProbe& probe, const Visit& visit)
+{
+    visit("position", probe.place);
+    visit("normal", probe.normal);
+    visit("color", probe.color);
+    visit("model", probe.model);
+    visit("light", probe.light.place);
+    visit("light_view", probe.light.view);
+    visit("light_projection", probe.light.projection);
+    visit("light_color", probe.light.color);
+    visit("ambient", probe.light.ambient);
+}
+
 inline void record_colors(Recorder& out, const std::vector<ShadowProbe>& probes, const gl::Program& shadows)
 {
-    const std::vector<glm::vec3> colors = colors_of(probes, shadows);
-    for (std::size_t i = 0; i < colors.size(); ++i) {
-        const ShadowProbe& probe = probes[i];
-        ask_in_words(out, [&] {
-            return light_text(probe.light) + "// a map of " + std::to_string(probe.light.texels.x) + " x " +
-                   std::to_string(probe.light.texels.y) + " texels, of which (" + std::to_string(probe.texel.x) + ", " +
-                   std::to_string(probe.texel.y) + ") holds " + literal::of_value(probe.here, true, {}) +
-                   " and all others " + literal::of_value(probe.elsewhere, true, {}) +
-                   "\n// a point that lies here in the world:\n" + uniform_line("position", probe.place) +
-                   uniform_line("color", probe.color) + uniform_line("model", probe.model) +
-                   "// and has this normal there:\n" + uniform_line("normal", probe.normal) +
-                   uniform_line("light_color", probe.light.color) + uniform_line("ambient", probe.light.ambient);
-        });
-        out.append("colors", colors[i]);
-    }
+    record_single_points(out, "colors", "the second pass", probes, map_text,
+                         [&](const std::vector<ShadowProbe>& asked) { return colors_of(asked, shadows); });
+}
+
+/// What of that the first pass uses.
+struct FirstPassProbe {
+    ShadowProbe probe;
+};
+
+template <class Visit>
+void for_each_input(FirstPassProbe& asked, const Visit& visit)
+{
+    visit("position", asked.probe.place);
+    visit("model", asked.probe.model);
+    visit("light", asked.probe.light.place);
 }
 
 /// The first pass of single points: what the map would hold.
-inline void record_distances(Recorder& out, const std::vector<ShadowProbe>& probes, const gl::Program& distances)
+inline std::vector<float> distances_of(const std::vector<FirstPassProbe>& points, const gl::Program& distances)
 {
-    const auto size = static_cast<int>(probes.size());
+    const auto size = static_cast<int>(points.size());
     const DistanceMap map(size, 1);
     map.begin();
     draw_single_points(size, [&](std::size_t i) {
-        set_light(distances, probes[i].light);
+        set_light(distances, points[i].probe.light);
         distances.set("light_projection", to_centre());
-        feed_place(distances, probes[i]);
+        feed_place(distances, points[i].probe);
     });
-    const Grid<float> row = map.read();
-    for (int i = 0; i < size; ++i) {
-        const ShadowProbe& probe = probes[static_cast<std::size_t>(i)];
-        ask_in_words(out, [&] {
-            return uniform_line("light", probe.light.place) + uniform_line("model", probe.model) +
-                   "// a point that lies here in the world:\n" + uniform_line("position", probe.place);
-        });
-        out.append("distances", row.at(i, 0));
-    }
+    return map.read().cells;
+}
+
+inline void record_distances(Recorder& out, const std::vector<ShadowProbe>& probes, const gl::Program& distances)
+{
+    std::vector<FirstPassProbe> points;
+    for (const ShadowProbe& probe : probes) points.push_back({probe});
+    record_single_points(
+        out, "distances", "the first pass", points,
+        [](const FirstPassProbe&) { return "// a point that lies here in the world:\n"; },
+        [&](const std::vector<FirstPassProbe>& asked) { return distances_of(asked, distances); });
 }
 
 }

@@ -52,6 +52,12 @@ inline std::unique_ptr<gl::Program> compile_shadows(const Case& what)
                           {"ambient", GL_FLOAT_VEC3, 1}}});
 }
 
+/// The same, once for all times that the case is run.
+inline const gl::Program& compiled_shadows(const Case& what)
+{
+    return what.once([&] { return compile_shadows(what); });
+}
+
 /// What a map holds where the light sees nothing.
 inline constexpr float nothing_seen = 1e30F;
 

@@ -11,7 +11,7 @@ namespace {
 using namespace texturing;
 
 // How many levels there are and how large each is, then their texels, level by level and row by row: as many as there
-// should be.
+// should be, and of level 0, which is the texture itself, the first and the last.
 void record_mipmap(Recorder& out, const Grid<glm::vec4>& texture)
 {
     const Mipmap mipmap = ask<build_mipmap>(out, texture);
@@ -24,20 +24,23 @@ void record_mipmap(Recorder& out, const Grid<glm::vec4>& texture)
                             mipmap[level].cells.size() == static_cast<std::size_t>(size * size);
         out.append("sizes",
                    level < mipmap.size() ? glm::vec2(mipmap[level].width, mipmap[level].height) : glm::vec2(-1));
-        for (int i = 0; i < size * size; ++i)
+        for (int i = 0; i < size * size; i += level == 0 ? std::max(1, size * size - 1) : 1)
             out.append("texels", exists ? mipmap[level].cells[static_cast<std::size_t>(i)]
                                         : glm::vec4(std::numeric_limits<float>::quiet_NaN()));
     }
 }
 
-// Greys in quarters, whose means are exact; (r, g, b, a) differ. Varied, all texels are darker or brighter.
+// Greys in quarters, whose means are exact; (r, g, b, a) differ, and none is a mean of two of its neighbours. Varied,
+// all texels are darker or brighter.
 Grid<glm::vec4> small_texture(Variation& vary, int size)
 {
     const glm::ivec4 first = vary.near(glm::ivec4(0), 3);
     Grid<glm::vec4> texture(size, size);
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x)
-            texture.at(x, y) = glm::vec4(first + glm::ivec4(x, y, (x * y) % 3, (x + 2 * y) % 4)) / 4.0F;
+            texture.at(x, y) = glm::vec4(first + glm::ivec4((x + 3 * x * y) % 7, y * (x + 1) % 5, x * y % 3,
+                                                            (x * y + x + 2 * y) % 5)) /
+                               4.0F;
     return texture;
 }
 
@@ -65,7 +68,7 @@ Mipmap random_mipmap(Random& random, int size, int smallest)
 
 void by_hand(Variation& vary, Recorder& out)
 {
-    for (const int size : {1, 2, 4}) record_mipmap(out, small_texture(vary, size));
+    for (const int size : {1, 2, 4, 8}) record_mipmap(out, small_texture(vary, size));
     for (const float distance : {1.0F, 2.0F, 4.0F, 3.0F, 6.0F, 0.5F, 64.0F, 2.5F})
         out.append("distances", ask<level_at_distance>(out, vary.scaled(distance, 1.3F), 2));
     const glm::vec2 steps[][2] = {{{0.125F, 0}, {0, 0.125F}}, {{0.25F, 0}, {0, 0.125F}},  {{0, 0.25F}, {0.5F, 0}},

@@ -29,9 +29,9 @@ void record_pictures(Case& what, Recorder& out)
 
 void record_random(Case& what, Recorder& out, const char* name, int count)
 {
-    const auto program = compile(what);
+    const gl::Program& program = compiled(what);
     const Slide slide(random_texture(what.random, 4, 3));
-    record_points(out, name, random_points(what.random, count), *program);
+    record_points(out, name, random_points(what.random, count), program);
 }
 
 }
@@ -41,9 +41,9 @@ const Driver driver = {
     {"points", [](Case& c, Recorder& out) { record_random(c, out, "colors", 200); }},
     {"edges",
      [](Case& c, Recorder& out) {
-         const auto program = compile(c);
+         const gl::Program& program = compiled(c);
          const Slide slide(random_texture(c.random, 4, 3));
-         record_points(out, "colors", edges(c.random), *program);
+         record_points(out, "colors", edges(c.random), program);
      }},
     {"random", [](Case& c, Recorder& out) { record_random(c, out, "colors", 200); }},
 };

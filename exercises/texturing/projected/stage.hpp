@@ -42,6 +42,12 @@ inline std::unique_ptr<gl::Program> compile(const Case& what)
     return program;
 }
 
+/// The same, once for all times that the case is run.
+inline const gl::Program& compiled(const Case& what)
+{
+    return what.once([&] { return compile(what); });
+}
+
 /// A slide, bound to texture unit 3 while it lives: decoded from sRGB when it is read, blended between texels. Its
 /// alpha is no part of the light, and differs from texel to texel.
 class Slide {
@@ -180,19 +186,27 @@ inline std::vector<glm::vec3> colors_of(const std::vector<Point>& points, const 
     return colors;
 }
 
+/// What the shaders are fed with for a point, under the names that they know; its place and normal in the world.
+template <class Visit>
+void for_each_input(Point& point, const Visit& visit)
+{
+    visit("position", point.place);
+    visit("normal", point.normal);
+    visit("color", point.color);
+    visit("model", point.model);
+    visit("projector_view", point.projector.view);
+    visit("projector_projection", point.projector.projection);
+    visit("projector_position", point.projector.position);
+    visit("lamp_color", point.projector.lamp);
+    visit("ambient", point.projector.ambient);
+}
+
 inline void record_points(Recorder& out, std::string_view name, const std::vector<Point>& points,
                           const gl::Program& program)
 {
-    const std::vector<glm::vec3> colors = colors_of(points, program);
-    for (std::size_t i = 0; i < colors.size(); ++i) {
-        const Point& point = points[i];
-        ask_in_words(out, [&] {
-            return projector_text(point.projector) + uniform_line("model", point.model) +
-                   "// a point that lies here in the world:\n" + uniform_line("position", point.place) +
-                   uniform_line("normal", point.normal) + uniform_line("color", point.color);
-        });
-        out.append(name, colors[i]);
-    }
+    record_single_points(
+        out, name, "the shaders", points, [](const Point&) { return "// a point that lies here in the world:\n"; },
+        [&](const std::vector<Point>& asked) { return colors_of(asked, program); });
 }
 
 }

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -188,6 +190,25 @@ void record_halves(Recorder& out, Random& random)
     }
 }
 
+/// The copies by their places round the circle, in whatever order they were drawn; then all else.
+void record_copies(Recorder& out, const std::string& name, const RecordingPipeline& drawn, const Start& start,
+                   unsigned count)
+{
+    const glm::dmat4 back = inverse(glm::dmat4(start.modelview));
+    const auto place = [&](const Call& call) {
+        const glm::dvec4 at = back * call.modelview[3];
+        const double turns = std::atan2(at.y, at.x) / (2 * std::numbers::pi);
+        return std::isfinite(turns) ? std::fmod(std::round(turns * count) + count, std::max(count, 1U)) : 0;
+    };
+    std::vector<const Call*> copies;
+    for (const Call& call : drawn.calls())
+        if (call.kind == Call::Kind::figure) copies.push_back(&call);
+    std::ranges::stable_sort(copies, {}, [&](const Call* call) { return place(*call); });
+    for (const Call* const call : copies)
+        out.append(name, std::span<const float>(matrix_row(1, call->modelview, call->color, call->line_width)));
+    record_events(out, name, drawn, Stack::left_out, Lines::shown, Figures::left_out);
+}
+
 void record_circles(Recorder& out, std::initializer_list<unsigned> counts, Random& random,
                     const std::string& name = "drawn")
 {
@@ -198,7 +219,7 @@ void record_circles(Recorder& out, std::initializer_list<unsigned> counts, Rando
         introduce(out, drawn, start);
         introduce(out, hook, "hook");
         ask<draw_hook_circle>(out, drawn, hook, count);
-        record_events(out, name, drawn, Stack::left_out);
+        record_copies(out, name, drawn, start, count);
     }
     record_names(out, name);
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -27,6 +28,17 @@ struct Grid {
             throw std::invalid_argument("Grid: expected a size of at least 0 x 0, got " + std::to_string(columns) +
                                         " x " + std::to_string(rows));
         cells.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), fill);
+    }
+
+    /// All cells, row by row, as questions are written; of one, or none, all are equal to it. Throws
+    /// std::invalid_argument on a negative size, and if there are more or fewer.
+    Grid(int columns, int rows, std::initializer_list<Cell> all)
+        : Grid(columns, rows, all.size() == 0 ? Cell{} : *all.begin())
+    {
+        if (all.size() > 1 && all.size() != cells.size())
+            throw std::invalid_argument("Grid: expected " + std::to_string(cells.size()) + " cells, got " +
+                                        std::to_string(all.size()));
+        if (all.size() > 1) cells = all;
     }
 
     /// The cell in column x (0 is the left one) and row y (0 is the top one).

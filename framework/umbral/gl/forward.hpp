@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <type_traits>
@@ -37,14 +38,17 @@ void trace_call(std::size_t slot, const CallArguments& arguments);
 
 #pragma GCC visibility pop
 
-/// An argument as a trace keeps it: numbers as they are, pointers as 0 (null) or 1.
+/// An argument as a trace keeps it: numbers as they are; offsets into buffers, which are passed as pointers, too; and 1
+/// for an address, which differs from run to run. No program has anything in the first 64 KiB.
 template <class Argument>
 double as_number(Argument argument)
 {
-    if constexpr (std::is_pointer_v<Argument>)
-        return argument == nullptr ? 0 : 1;
-    else
+    if constexpr (std::is_pointer_v<Argument>) {
+        const auto place = reinterpret_cast<std::uintptr_t>(argument);
+        return place < 0x10000 ? static_cast<double>(place) : 1;
+    } else {
         return static_cast<double>(argument);
+    }
 }
 
 template <class Argument>

@@ -11,7 +11,7 @@ namespace umbral::gl {
 /// One call of an OpenGL function.
 struct TracedCall {
     std::string_view name;          ///< "glDrawArrays"; lives as long as the library
-    std::vector<double> arguments;  ///< numbers as passed (enumerants too); a pointer counts as 0 if null, else 1
+    std::vector<double> arguments;  ///< numbers as passed, enumerants too, and pointers as forward.hpp says
     std::uint64_t bytes =
         0;  ///< bytes read from the application by glBufferData, glTexImage2D and their relatives, else 0
 };

@@ -72,23 +72,31 @@ std::vector<Part> parts_of(std::tuple<Kept...>& arguments)
     return parts;
 }
 
-/// Takes down what there is to say of the question, and asks another in its place if one is to be asked.
+/// Takes down what there is to say of a question to `function`.
+template <class AddFeatures, class PartsOf>
+void note(Questions& questions, std::string_view function, const AddFeatures& add_to, const PartsOf& parts)
+{
+    if (!questions.inquiry().questions) return;
+    const bool known = questions.knows(function);
+    Features features{.named = !known};
+    add_to(features);
+    if (!known) questions.introduce(function, features, parts());
+    questions.set_features(function, features);
+}
+
+/// The same of a call, and asks another in its place if one is to be asked.
 template <class... Kept>
 void note(Questions& questions, std::string_view function, std::tuple<Kept...>& arguments)
 {
-    if (questions.inquiry().questions) {
-        const bool known = questions.knows(function);
-        Features features{.named = !known};
+    const auto add_to = [&](Features& features) {
         [&]<std::size_t... Index>(std::index_sequence<Index...>)
         {
             (add_features(Place{Index}, std::get<Index>(arguments), features), ...);
         }
         (std::index_sequence_for<Kept...>{});
-        if (!known) questions.introduce(function, features, parts_of(arguments));
-        questions.set_features(function, features);
-    }
-    const std::optional<OtherQuestion>& other = questions.other();
-    if (other && (other->function.empty() || other->function == function)) questions.change(parts_of(arguments));
+    };
+    note(questions, function, add_to, [&] { return parts_of(arguments); });
+    if (questions.asks_instead_of(function)) questions.change(function, parts_of(arguments));
 }
 
 /// Is one of the arguments an object that the driver goes on with? A copy is none, though it may lie where one was.
@@ -191,9 +199,10 @@ struct AskFunction {
         }
         std::tuple<typename Kept<Parameters>::Type...> all(kept<Parameters>(arguments)...);
         questions->begin();
+        const bool is_to_object = has_object(*questions, all);
+        if (is_to_object) questions->note_object(name);
         if (questions->code_is_wanted())
-            questions->set_code((has_object(*questions, all) ? questions->history() : "") +
-                                code_of_call(*questions, name, all));
+            questions->set_code((is_to_object ? questions->history() : "") + code_of_call(*questions, name, all));
         note(*questions, name, all);
         return std::apply([](auto&... each) -> Result { return Function(each...); }, all);
     }
@@ -215,14 +224,14 @@ struct AskMember {
         std::string called = questions->name_of(&object);
         called = called.empty() ? literal::object_name(reflect::type_name<std::remove_const_t<Object>>()) + "."
                                 : called + "->";
+        const bool known = questions->is_object(&object) || has_object(*questions, all);
+        if (known) questions->note_object(name);
         if (questions->code_is_wanted() || Changes) {
             called += call_text(*questions, name, all);
-            if (questions->code_is_wanted()) {
-                const bool known = questions->is_object(&object) || has_object(*questions, all);
-                questions->set_code((known ? questions->history() : "") + called);
-            }
+            if (questions->code_is_wanted()) questions->set_code((known ? questions->history() : "") + called);
             if (Changes) questions->add_line(&object, called + ";");
         }
+        if (Changes && known) questions->note_change(name);
         note(*questions, name, all);
         return std::apply([&](auto&... each) -> Result { return (object.*Function)(each...); }, all);
     }
@@ -260,6 +269,7 @@ template <auto Factory, class... Arguments>
     auto object = short_lived.apply([&](const auto&... each) { return ask<Factory>(out, each...); });
     if (Questions* const questions = out.questions(); questions != nullptr && object) {
         const std::tuple<const std::remove_reference_t<Arguments>&...> all(arguments...);
+        questions->note_change(reflect::value_name<Factory>());
         questions->set_object(object.get(), name,
                               "const auto " + std::string(name) + " = " +
                                   detail::call_text(*questions, reflect::value_name<Factory>(), all) + ";");

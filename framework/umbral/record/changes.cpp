@@ -3,6 +3,51 @@
 #include <algorithm>
 
 namespace umbral {
+namespace {
+
+const Change* change_of(const Part& part, std::string_view name)
+{
+    const auto found = std::ranges::find(part.changes, name, &Change::name);
+    return found == part.changes.end() ? nullptr : &*found;
+}
+
+/// Is it the field that an OtherQuestion without a function names so?
+bool is_field(const Part& part, std::string_view name)
+{
+    if (part.owner.empty() || part.place.depth == 0 || !name.starts_with(part.owner)) return false;
+    name.remove_prefix(part.owner.size());
+    return name.starts_with('.') && name.substr(1) == part.place.names[part.place.depth - 1];
+}
+
+bool stand_in_one_struct(const Part& one, const Part& other)
+{
+    return one.within != nullptr && one.within == other.within && one.owner == other.owner && !one.owner.empty();
+}
+
+/// Those that may be taken for parts[one], the nearest first; of a list's element, its own fields.
+std::vector<std::size_t> alike(std::span<const Part> parts, std::size_t one)
+{
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        // Deeper fields than places tell have the same.
+        const bool fits = parts[one].of_element ? stand_in_one_struct(parts[one], parts[i]) : !parts[i].of_element;
+        if (fits && parts[i].type == parts[one].type && parts[i].place != parts[one].place) found.push_back(i);
+    }
+    std::ranges::stable_sort(found, {}, [&](std::size_t i) { return i < one ? one - i : i - one; });
+    found.resize(std::min(found.size(), most_taken_for_one));
+    return found;
+}
+
+void change_part(const Part& part, std::string_view change, const Part* other)
+{
+    if (other != nullptr && other->type != part.type) return;
+    if (other != nullptr && change.empty()) part.exchange(part.value, other->value);
+    if (other != nullptr && change == taken_for_another) part.take(part.value, other->value);
+    if (other != nullptr) return;
+    if (const Change* const known = change_of(part, change)) known->make(part.value);
+}
+
+}
 
 std::string field_of(const Part& part)
 {
@@ -13,46 +58,74 @@ std::string field_of(const Part& part)
 std::vector<OtherQuestion> other_questions(std::string_view function, std::span<const Part> parts)
 {
     std::vector<OtherQuestion> all;
+    const std::string name(function);
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        for (const Change& change : parts[i].changes) {
-            if (!parts[i].of_element)
-                all.push_back({std::string(function), parts[i].place.text(), std::string(change.name), ""});
-            if (const std::string field = field_of(parts[i]); !field.empty())
-                all.push_back({"", field, std::string(change.name), ""});
+        const Part& part = parts[i];
+        const std::string place = part.place.text();
+        const std::string field = field_of(part);
+        for (const Change& change : part.changes) {
+            if (!part.of_element) all.push_back({name, place, std::string(change.name), ""});
+            if (!field.empty()) all.push_back({"", field, std::string(change.name), ""});
         }
-        for (std::size_t j = i + 1; j < parts.size() && !parts[i].of_element; ++j)
-            if (parts[i].type == parts[j].type && !parts[j].of_element)
-                all.push_back({std::string(function), parts[i].place.text(), "", parts[j].place.text()});
+        for (const std::size_t j : alike(parts, i)) {
+            if (!part.of_element) all.push_back({name, place, std::string(taken_for_another), parts[j].place.text()});
+            if (stand_in_one_struct(part, parts[j]))
+                all.push_back({"", field, std::string(taken_for_another), field_of(parts[j])});
+        }
+        for (std::size_t j = i + 1; j < parts.size() && !part.of_element; ++j)
+            if (part.type == parts[j].type && !parts[j].of_element)
+                all.push_back({name, place, "", parts[j].place.text()});
     }
     return all;
 }
 
-void change_parts(const OtherQuestion& question, std::span<const Part> parts, ChangedParts& which)
+AskedInstead::AskedInstead(const OtherQuestion& question) : change_(question.change)
 {
-    if (question.function.empty()) {
-        for (const Part& part : parts)
-            if (field_of(part) == question.place)
-                for (const Change& change : part.changes)
-                    if (change.name == question.change) change.make(part.value);
-        return;
+    changed_.push_back({question.function, {question.place}, {question.other}});
+    for (const OtherPlace& place : question.also) changed_.push_back({place.function, {place.place}, {""}});
+}
+
+bool AskedInstead::means(std::string_view function) const
+{
+    return std::ranges::any_of(changed_, [&](const Changed& one) {
+        return one.function.empty() || (one.function == function && one.is_looked_for);
+    });
+}
+
+const Part* AskedInstead::Known::among(std::span<const Part> parts)
+{
+    if (place && index < parts.size() && !parts[index].of_element && parts[index].place == *place) return &parts[index];
+    for (index = 0; index < parts.size(); ++index) {
+        const Part& part = parts[index];
+        if (part.of_element || (place ? part.place != *place : part.place.text() != text)) continue;
+        place = part.place;
+        return &part;
     }
-    if (!which.known) {
-        const auto at = [&](const std::string& place) {
-            for (std::size_t i = 0; i < parts.size(); ++i)
-                if (!parts[i].of_element && parts[i].place.text() == place) return std::optional(i);
-            return std::optional<std::size_t>();
-        };
-        which = {true, at(question.place), question.other.empty() ? std::nullopt : at(question.other), nullptr};
-        if (which.part)
-            for (const Change& change : parts[*which.part].changes)
-                if (change.name == question.change) which.make = change.make;
+    return nullptr;
+}
+
+void AskedInstead::change_fields(std::span<const Part> parts) const
+{
+    const std::string& other = changed_.front().other.text;
+    for (const Part& part : parts) {
+        if (!is_field(part, changed_.front().part.text)) continue;
+        if (other.empty()) change_part(part, change_, nullptr);
+        for (const Part& one : parts)
+            if (!other.empty() && stand_in_one_struct(part, one) && is_field(one, other))
+                change_part(part, change_, &one);
     }
-    if (!which.part) return;
-    const Part& part = parts[*which.part];
-    if (which.other && parts[*which.other].type == part.type)
-        part.exchange(part.value, parts[*which.other].value);
-    else if (which.make != nullptr)
-        which.make(part.value);
+}
+
+void AskedInstead::change(std::string_view function, std::span<const Part> parts)
+{
+    if (changed_.front().function.empty()) return change_fields(parts);
+    for (Changed& one : changed_) {
+        if (one.function != function || !one.is_looked_for) continue;
+        const Part* const part = one.part.among(parts);
+        const Part* const other = one.other.text.empty() ? nullptr : one.other.among(parts);
+        one.is_looked_for = part != nullptr && (other != nullptr || one.other.text.empty());
+        if (one.is_looked_for) change_part(*part, change_, other);
+    }
 }
 
 }

@@ -11,6 +11,7 @@ namespace umbral {
 /// Deeper fields than `most` have the place of the struct they stand in.
 struct Place {
     static constexpr std::size_t most = 5;
+    static constexpr std::size_t no_argument = static_cast<std::size_t>(-1);  ///< a program's input has a name only
 
     std::size_t argument = 0;
     std::size_t depth = 0;
@@ -24,13 +25,16 @@ struct Place {
         return inner;
     }
 
-    /// "0.origin.x", "0[2].x"
+    /// "0.origin.x", "0[2].x", "light_position.x"
     [[nodiscard]] std::string text() const
     {
-        std::string result = std::to_string(argument);
-        for (std::size_t i = 0; i < depth; ++i) result.append(names[i].starts_with('[') ? "" : ".").append(names[i]);
+        std::string result = argument == no_argument ? "" : std::to_string(argument);
+        for (std::size_t i = 0; i < depth; ++i)
+            result.append(result.empty() || names[i].starts_with('[') ? "" : ".").append(names[i]);
         return result;
     }
+
+    friend bool operator==(const Place&, const Place&) = default;
 };
 
 }

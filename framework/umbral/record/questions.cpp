@@ -111,6 +111,18 @@ void Questions::add_line(const void* object, std::string line)
     known.lines.push_back({lines_++, std::move(line)});
 }
 
+void Questions::note_change(std::string_view function)
+{
+    if (inquiry_.questions && !changing_.contains(function)) changing_.emplace(function);
+}
+
+void Questions::note_object(std::string_view function)
+{
+    if (!inquiry_.questions || changing_.empty()) return;
+    const auto found = histories_.try_emplace(std::string(function)).first;
+    if (found->second.size() != changing_.size()) found->second = changing_;
+}
+
 void Questions::link_row(std::string_view value)
 {
     const auto found = rows_.find(value);
@@ -161,6 +173,13 @@ void Questions::write(std::map<std::string, Tensor, std::less<>>& tensors) const
         add(std::string(question_names::features) + std::to_string(i),
             table<double>(Element::float64, functions_[i].table, functions_[i].features.size() + 1));
     }
+    std::string histories;
+    for (const auto& [function, changing] : histories_) {
+        histories += function;
+        for (const std::string& one : changing) histories += '\t' + one;
+        histories += '\n';
+    }
+    add(std::string(question_names::histories), text_tensor(histories));
     add(std::string(question_names::functions), text_tensor(functions));
     add(std::string(question_names::code), text_tensor(code_));
     add(std::string(question_names::others), text_tensor(others_));

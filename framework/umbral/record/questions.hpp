@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <umbral/core/random.hpp>
@@ -38,6 +39,7 @@ inline constexpr std::string_view code = "?code";            ///< lines "number<
 inline constexpr std::string_view functions = "?functions";  ///< lines "function<TAB>feature<TAB>…"
 inline constexpr std::string_view features = "?features ";   ///< + line of ?functions: rows "question, features …"
 inline constexpr std::string_view others = "?others";        ///< lines "function<TAB>place<TAB>change<TAB>other place"
+inline constexpr std::string_view histories = "?histories";  ///< lines "function<TAB>what changed its objects<TAB>…"
 inline constexpr char of_other = '?';       ///< between the number of an other question and a recorded name
 inline constexpr char line_break = '\x1F';  ///< in code; texts in it are escaped, and hold no such letter
 }
@@ -48,15 +50,19 @@ void question_reached();
 /// Takes down what a run is asked: calls, one after the other, and which of them led to which rows.
 class Questions {
 public:
-    explicit Questions(Inquiry inquiry, std::optional<OtherQuestion> other = {})
-        : inquiry_(std::move(inquiry)), other_(std::move(other))
+    /// With another question, that is asked in place of the driver's.
+    explicit Questions(Inquiry inquiry, const std::optional<OtherQuestion>& other = {}) : inquiry_(std::move(inquiry))
     {
+        if (other) instead_.emplace(*other);
     }
 
     [[nodiscard]] const Inquiry& inquiry() const noexcept { return inquiry_; }
 
-    /// What is asked in place of the driver's questions.
-    [[nodiscard]] const std::optional<OtherQuestion>& other() const noexcept { return other_; }
+    /// May another question be asked in place of a call of the function?
+    [[nodiscard]] bool asks_instead_of(std::string_view function) const
+    {
+        return instead_ && instead_->means(function);
+    }
 
     /// The next question begins. Rows that are recorded from now on are its answers.
     void begin();
@@ -69,8 +75,8 @@ public:
     void introduce(std::string_view function, const Features& features, std::span<const Part> parts);
     /// Takes the numbers in the current question, a call of `function`.
     void set_features(std::string_view function, const Features& features);
-    /// Asks the other question: changes the arguments of the current one.
-    void change(std::span<const Part> parts) { change_parts(*other_, parts, changed_); }
+    /// Asks the other question: changes the arguments of the current one, a call of `function`.
+    void change(std::string_view function, std::span<const Part> parts) { instead_->change(function, parts); }
 
     /// `object` is called `name` in code from now on, and was made by this line; what had the name before is gone.
     void set_object(const void* object, std::string_view name, std::string made);
@@ -82,6 +88,10 @@ public:
     [[nodiscard]] std::string history() const;
     /// One more line that changed it.
     void add_line(const void* object, std::string line);
+    /// Calls of `function` made an object, or may have changed one.
+    void note_change(std::string_view function);
+    /// The current question, a call of `function`, is to an object: what it answers may come of all changes so far.
+    void note_object(std::string_view function);
 
     /// A row was added to the table `value`, or the picture `value` was recorded whole.
     void link_row(std::string_view value);
@@ -110,8 +120,7 @@ private:
     };
 
     Inquiry inquiry_;
-    std::optional<OtherQuestion> other_;
-    ChangedParts changed_;
+    std::optional<AskedInstead> instead_;
     std::uint32_t count_ = 0;       ///< of questions begun
     std::uint32_t whole_from_ = 0;  ///< the questions that the last picture answered: from this one …
     std::uint32_t whole_to_ = 0;    ///< … to the one before this
@@ -119,6 +128,8 @@ private:
     std::vector<Function> functions_;
     std::string others_;
     std::map<const void*, Object> objects_;
+    std::set<std::string, std::less<>> changing_;  ///< functions that made objects or changed them
+    std::map<std::string, std::set<std::string, std::less<>>, std::less<>> histories_;
     std::size_t lines_ = 0;  ///< of all objects
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> rows_;
     std::map<std::string, std::pair<std::uint32_t, std::uint32_t>, std::less<>> wholes_;

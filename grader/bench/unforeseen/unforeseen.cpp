@@ -109,8 +109,8 @@ private:
         if (common.condition)
             bug.said.push_back(
                 tried(asked, *common.condition, ToldSentence::Kind::condition, common.condition->condition.words));
-        if (!common.answer.empty())
-            bug.said.push_back(tried(asked, common.answer, ToldSentence::Kind::answer, common.answer));
+        if (!common.answer.words.empty())
+            bug.said.push_back(tried(asked, common.answer.words, ToldSentence::Kind::answer, common.answer.words));
     }
 
     template <class Pattern>

@@ -9,6 +9,7 @@
 #include "cli/authors/commands.hpp"
 #include "cli/built_work.hpp"
 #include "cli/checkout.hpp"
+#include "cli/paths.hpp"
 #include "model/one_cpp_file.hpp"
 #include "mutants/repair_words.hpp"
 #include "mutants/try_repairs.hpp"
@@ -75,8 +76,9 @@ void print_no_place(const Exercise& exercise, std::size_t tried, std::size_t cha
             tried);
     else
         fmt::print(
-            "No small change of one place makes a wrong check right: more than one thing is wrong, or something "
-            "is missing.\n");
+            "None of the {} small changes of one place that are tried makes a wrong check right: it takes another one, "
+            "or more than one.\n",
+            tried);
     fmt::print("`umbral debug {}` stops where it first goes wrong.\n", exercise.name);
 }
 
@@ -88,13 +90,33 @@ void print_search(const Paint& paint, const Exercise& exercise, const BuiltWork&
     for (std::size_t i = 0; i < shown; ++i)
         print_repair(paint, file, source, search.repairs[i], search.wrong.size(), show);
     if (search.repairs.empty()) print_no_place(exercise, search.tried, changes);
-    if (search.repairs.size() > 1)
-        fmt::print("One of these changes is enough; {} places were found.\n", search.repairs.size());
+    if (search.repairs.size() > 1) {
+        const bool is_enough = search.repairs.front().mends.size() == search.wrong.size();
+        fmt::print("{}; {} places were found.\n",
+                   is_enough ? "One of these changes is enough" : "Each of these changes mends the same checks",
+                   search.repairs.size());
+    }
     if (shown > 0 && !show) fmt::print("--show says which change.\n");
 }
 
-void locate(Application& application, const LocateOptions& options)
+/// The student's file with every change that is tried.
+BuiltMutants changed_ways(const Toolchain& tools, const Exercise& exercise, const std::filesystem::path& finder,
+                          const BuiltWork& work, const std::filesystem::path& folder)
 {
+    try {
+        return build_mutants(tools, exercise, MutantFamily::repairs, finder, work.files.begin()->second, folder);
+    } catch (const NotMutable& error) {
+        throw UsageError(
+            fmt::format("no changes of your file can be tried, which is too long or nested too deep for that: "
+                        "{}\n`umbral debug {}` "
+                        "stops where it first goes wrong",
+                        error.what(), exercise.name));
+    }
+}
+
+void locate(Application& application, LocateOptions options)
+{
+    options.folder = workspace_of({&options.unit, 1}, options.folder);
     const Exercise exercise = application.chosen({options.unit}).front();
     if (!is_one_cpp_file(exercise))
         throw UsageError(fmt::format("{} is not one C++ file: umbral debug runs a case of it", exercise.id));
@@ -107,17 +129,17 @@ void locate(Application& application, const LocateOptions& options)
     const std::filesystem::path finder = have_finder(application, "locate finds changes");
     const auto began = std::chrono::steady_clock::now();
     const ScratchFolder scratch(application.tools.cache);
-    const BuiltMutants built = build_mutants(application.tools, exercise, MutantFamily::repairs, finder,
-                                             work.files.begin()->second, scratch.path());
+    const BuiltMutants built = changed_ways(application.tools, exercise, finder, work, scratch.path());
     Crew crew(application.tools, options.jobs);
+    const auto passed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(); };
     const RepairSearch search =
-        try_repairs(crew, exercise, built, {static_cast<double>(options.seconds), options.attempt});
+        try_repairs(crew, exercise, built, {static_cast<double>(options.seconds) - passed(), options.attempt});
     if (search.wrong.empty()) {
         fmt::print("Nothing is wrong in {}: there is nothing to look for.\n", exercise.id);
         return;
     }
     application.exit_status = exit_not_right;
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    const double seconds = passed();
     const Paint paint(application.style);
     print_search(paint, exercise, work, search, built.mutants.size(), options.show);
     fmt::print("{}\n", paint(Tone::quiet, fmt::format("{} of {} changes tried on inputs of two seeds, {:.0f} s",

@@ -123,8 +123,9 @@ std::string in_words(const Parting& parting, const std::string& came, const std:
     };
     const std::size_t found = times_in(yours);
     const std::size_t sought = times_in(expected);
-    return found == 0 || found >= sought ? instead
-                                         : fmt::format("expected {}: {} of them, {} came", wanted, sought, found);
+    return found == 0 || found >= sought
+               ? instead
+               : fmt::format("expected {}: {} of them in all, {} came", wanted, sought, found);
 }
 
 }
@@ -141,6 +142,13 @@ std::map<double, std::string> event_names(std::string_view lines)
         if (error == std::errc() && used + 1 < line.size() && line[used] == ' ') names[code] = line.substr(used + 1);
     }
     return names;
+}
+
+std::map<double, std::string> event_kinds(std::string_view lines)
+{
+    std::map<double, std::string> kinds = event_names(lines);
+    for (auto& [code, name] : kinds) name.resize(std::min(name.find(": "), name.size()));
+    return kinds;
 }
 
 std::vector<std::string> event_columns(std::string_view names, std::size_t components)

@@ -17,6 +17,9 @@ namespace umbral::grader {
 /// Names of event codes, or of other things that are counted, from lines such as "3 zoom"; other lines are passed over.
 [[nodiscard]] std::map<double, std::string> event_names(std::string_view lines);
 
+/// The same without what follows a colon: "zoom" of "3 zoom: centre/2, factor".
+[[nodiscard]] std::map<double, std::string> event_kinds(std::string_view lines);
+
 /// Writes events with their names, and their numbers with theirs: "zoom (centre 2 0.5, factor 3)" where the line of
 /// that code is "3 zoom: centre/2, factor". Numbers without a name are left out if there are names; where there are
 /// none, those at the end that are 0 and that no expected event of that code uses.

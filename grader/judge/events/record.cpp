@@ -15,6 +15,7 @@ constinit const JudgeRecord events_judge{
     .judge = [](const Question& q) { return judge_events(q.check, q.student, q.expected, q.names); },
     .resemblance = same_events,
     .columns = event_columns,
+    .kinds = event_kinds,
     .evidence = events_evidence,
 };
 

@@ -55,7 +55,7 @@ struct RowPair {
     std::vector<std::string> yours;  ///< one text instead if there is nothing
     std::vector<std::string> expected;
     std::vector<bool> differs;  ///< by component
-    std::string note;           ///< "3.2e+07 ulp", "missing"
+    std::string note;           ///< "320 ulp", "missing"
     std::size_t cell = 0;       ///< of the recording
     std::string question{};     ///< what was asked there, as code; empty where that is not known
 };

@@ -74,7 +74,7 @@ private:
     [[nodiscard]] std::string short_error(double error) const
     {
         switch (unit_of(check_.tolerance)) {
-            case Unit::ulps: return fmt::format("{:.3g} ulp", error);
+            case Unit::ulps: return error < no_rounding ? fmt::format("{:.3g} ulp", error) : "> 1e6 ulp";
             case Unit::relative: return fmt::format("{:.3g} of its size", error);
             case Unit::absolute: return fmt::format("{:.3g}", error);
         }

@@ -56,14 +56,18 @@ Tally& Tally::operator+=(const Resemblance& one)
 double fit(const Tally& tally)
 {
     if (tally.for_it == 0) return 0;
-    return static_cast<double>(tally.for_it) / static_cast<double>(tally.for_it + tally.against_it);
+    const double against = static_cast<double>(tally.against_it) - 0.5 * static_cast<double>(tally.hard_against);
+    return static_cast<double>(tally.for_it) / (static_cast<double>(tally.for_it) + against);
 }
 
 double confidence(const Tally& tally) { return fit(tally) * told_by(tally.bits); }
 
 double most_confidence(const Tally& tally, std::size_t undecided)
 {
-    return undecided > 0 ? fit({tally.for_it + undecided, tally.against_it, 0}) : confidence(tally);
+    if (undecided == 0) return confidence(tally);
+    Tally most = tally;
+    most.for_it += undecided;
+    return fit(most);
 }
 
 double pattern_bits(std::size_t all, std::size_t alike)

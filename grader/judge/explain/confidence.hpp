@@ -35,6 +35,9 @@ struct Tally {
     std::size_t for_it = 0;
     std::size_t against_it = 0;
     double bits = 0;
+    /// Of those against it, in hard cases: there, what rounds or overflows otherwise may be wrong in two ways at once,
+    /// and each counts half.
+    std::size_t hard_against = 0;
 
     Tally& operator+=(const Resemblance& one);
 };

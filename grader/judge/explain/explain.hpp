@@ -16,6 +16,9 @@ struct FailingCheck {
     const Tensor* expected = nullptr;
     const Tensor* margin = nullptr;
     bool fails = true;  ///< one that the student passes speaks against what would fail it, and for nothing
+    /// Share of a row's error that rounding may put between two ways to the same wrong numbers, where a candidate
+    /// rounds what the student did not.
+    double rounding = 0;
 };
 
 /// A named thing that students do to a right result: the explanation holds if undoing it makes the result right.

@@ -14,6 +14,28 @@ namespace {
 /// What one event, fragment or count that is wrong in the same way says.
 constexpr double bits_each = 3;
 
+/// Are rows of numbers, a cell each, off the expected ones by the same but for this share of it?
+std::vector<bool> equally_off(const Tensor& student, const Tensor& expected, const Tensor& mistake, double share)
+{
+    const TensorView yours(student);
+    const TensorView right(expected);
+    const TensorView its(mistake);
+    if (yours.cells() != right.cells() || its.cells() != right.cells() || yours.components() != right.components() ||
+        its.components() != right.components())
+        return {};
+    std::vector<bool> result(right.cells());
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        double off = 0;
+        double between = 0;
+        for (std::size_t c = 0; c < right.components(); ++c) {
+            off = std::max(off, std::abs(yours.cell(i)[c] - right.cell(i)[c]));
+            between = std::max(between, std::abs(yours.cell(i)[c] - its.cell(i)[c]));
+        }
+        result[i] = yours.present(i) && right.present(i) && its.present(i) && between <= share * off;
+    }
+    return result;
+}
+
 }
 
 const RowKind& rows_of(const Check& check)
@@ -83,6 +105,8 @@ Resemblance same_rows(const FailingCheck& failing, const Tensor& mistake_tensor)
     const auto student_states = row_states(check, student, expected, failing.margin, kind);
     const auto mistake_states = row_states(check, mistake, expected, failing.margin, kind);
     const auto agreement = row_states(tightened(check), student, mistake, failing.margin, kind);
+    const std::vector<bool> rounded =
+        failing.rounding > 0 ? equally_off(student, expected, mistake, failing.rounding) : std::vector<bool>();
     std::size_t deviating = 0;
     std::size_t agreeing = 0;
     bool student_deviates = false;
@@ -95,7 +119,7 @@ Resemblance same_rows(const FailingCheck& failing, const Tensor& mistake_tensor)
         mistake_deviates = mistake_deviates || its;
         if (!yours && !its) continue;
         ++deviating;
-        alike[i] = agreement[i] == RowState::right;
+        alike[i] = agreement[i] == RowState::right || (rounded.size() == alike.size() && rounded[i]);
         if (alike[i]) ++agreeing;
     }
     if (!student_deviates || !mistake_deviates ||

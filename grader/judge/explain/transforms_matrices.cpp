@@ -140,6 +140,31 @@ std::string describe_flip(const Check& check, const Tensor& student, const Tenso
         "xyz"[best->axis], best -> row ? "row" : "column", best->axis);
 }
 
+/// Do the first three rows and columns turn only: are they of length 1 and perpendicular?
+bool turns_only(Target m)
+{
+    constexpr double tolerance = 1e-3;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = i; j < 3; ++j) {
+            double product = 0;
+            for (std::size_t k = 0; k < 3; ++k) product += entry(m, i, k) * entry(m, j, k);
+            if (std::abs(product - (i == j ? 1 : 0)) > tolerance) return false;
+        }
+    return true;
+}
+
+/// Of a camera only where it may be one.
+std::string describe_bare_place(const Check&, const Tensor&, const Tensor& expected)
+{
+    const TensorView matrices(expected);
+    bool only_turns = true;
+    for (std::size_t i = 0; i < matrices.cells(); ++i)
+        only_turns = only_turns && (!matrices.present(i) || turns_only(matrices.cell(i)));
+    if (!only_turns) return {};
+    return "Your translation is the position itself: it must be rotated too, as in a camera's matrix, -R * eye instead "
+           "of -eye.";
+}
+
 // The rotation about the expected axis by `factor` times the expected angle (or by that angle less a full turn), if
 // there is an axis to see.
 bool turned_by_factor(Target yours, Target target, double factor)
@@ -214,8 +239,10 @@ std::vector<NamedTransform> matrix_transforms()
          "Your translation has the opposite sign: what moves points moves the axes the other way.",
          each_matrix<negate_translation, 16>},
         {"translation not rotated",
-         "Your translation is the position itself: it must be rotated too, -R * eye instead of -eye.",
-         each_matrix<rotate_translation, 16>},
+         "The last column of your matrix is the place itself: the matrix beside it must be applied to it too, A * p "
+         "(or "
+         "-A * p) instead of p.",
+         each_matrix<rotate_translation, 16>, describe_bare_place},
         {"homogeneous row", "All is right but the last row, which makes the homogeneous coordinate w.",
          each_matrix<restore_homogeneous_row, 16>},
         {"axis flipped", "One axis of your matrix points the other way: check the handedness.", unflip, describe_flip,

@@ -113,7 +113,11 @@ std::optional<double> light_factor(const Check& check, const Tensor& student, co
         products += pair.student * pair.expected;
         squares += pair.expected * pair.expected;
     }
-    return products / squares;
+    const double factor = products / squares;
+    // What is nearly one fits many things that are not factors.
+    constexpr double least_factor = 1.05;
+    if (std::abs(std::log(factor)) < std::log(least_factor)) return std::nullopt;
+    return factor;
 }
 
 Result rescale_light(const Check& check, const Tensor& student, const Tensor& expected)

@@ -103,8 +103,13 @@ Judgement judge_noise(const Check& check, const Tensor& student, const Tensor& e
     // What scatters apart by a bias shows it: at least a third of the light then lies in the wrong place, beyond noise.
     const double scatter = hiding_scatter(yours, target);
     const bool may_hide = rule.agree || rule.misplaced < 1.0 / 3;
-    if (may_hide && (scatter > parameters_of<NoiseParameters>(check).scatter || cancels_itself(yours, target) ||
-                     scatters_apart(yours, target)))
+    const bool too_wide =
+        may_hide && (scatter > parameters_of<NoiseParameters>(check).scatter || cancels_itself(yours, target));
+    const bool apart = may_hide && !too_wide && scatters_apart(yours, target);
+    // One quantity of several that is far off: it earns no more, but is told as what it is.
+    if (apart && !rule.agree && is_far_off(yours, target))
+        return wrong(rule.message(quantity_name(names, rule.channel)));
+    if (too_wide || apart)
         return wrong(
             "The estimates scatter far more than the reference's, so that their mean proves nothing: take as many "
             "samples as you are told, choose "
@@ -121,7 +126,7 @@ Judgement judge_noise(const Check& check, const Tensor& student, const Tensor& e
                       {"tests", static_cast<double>(rule.tests)}};
     result.chance = rule.probability;
     result.borderline = after_first_run(rule.probability) == FirstRun::borderline;
-    if (!rule.agree && !rule.moved) result.first_difference = worst_tile(rule);
+    if (!rule.agree && rule.worst == Worst::tile) result.first_difference = worst_tile(rule);
     return result;
 }
 

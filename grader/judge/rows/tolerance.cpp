@@ -47,6 +47,7 @@ Deviation deviation(const Tolerance& tolerance, double student, double expected,
 
 std::string error_text(Unit unit, double error)
 {
+    if (unit == Unit::ulps && error >= no_rounding) return "far more than rounding";
     // Its size matters, and not its last digit, also where it is a whole number.
     const std::string size = std::isnan(error) ? number_text(error) : fmt::format("{:.{}g}", error, usual_digits);
     switch (unit) {

@@ -30,7 +30,11 @@ struct Deviation {
 
 [[nodiscard]] Deviation deviation(const Tolerance& tolerance, double student, double expected, const Scale& scale);
 
-/// "1.6e+06 ulp", "0.5 %"-like relative error as "relative error 0.005", "error 0.25".
+/// So many units in the last place are a sixteenth of a number: nothing that is counted in these any more.
+inline constexpr double no_rounding = 1 << 20;
+
+/// "160 ulp", "far more than rounding" from no_rounding on, "0.5 %"-like relative error as "relative error 0.005",
+/// "error 0.25".
 [[nodiscard]] std::string error_text(Unit unit, double error);
 
 }

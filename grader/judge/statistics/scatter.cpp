@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "judge/statistics/error_budget.hpp"
 #include "judge/statistics/stochastic.hpp"
@@ -25,15 +26,15 @@ Estimates cut(const Estimates& estimates, std::size_t channel, double limit)
     return result;
 }
 
-}
-
-bool scatters_apart(const Estimates& yours, const Estimates& expected)
+/// In any channel: do the means of the values' sizes, cut at so many expected means, differ by more than half, beyond
+/// chance?
+bool any_mean_far_off(const Estimates& yours, const Estimates& expected, double most_means)
 {
     const std::size_t size = static_cast<std::size_t>(expected.width) * static_cast<std::size_t>(expected.height);
     for (std::size_t channel = 0; channel < static_cast<std::size_t>(expected.channels); ++channel) {
         double sum = 0;
         for (std::size_t i = channel * size; i < (channel + 1) * size; ++i) sum += std::abs(expected.values[i]);
-        const double limit = cut_means * sum / static_cast<double>(size);
+        const double limit = most_means * sum / static_cast<double>(size);
         if (!(limit > 0)) continue;
         const TileSums sums =
             tilings_of(cut(yours, channel, limit), cut(expected, channel, limit), 0).front().sums.front();
@@ -42,6 +43,18 @@ bool scatters_apart(const Estimates& yours, const Estimates& expected)
             return true;
     }
     return false;
+}
+
+}
+
+bool scatters_apart(const Estimates& yours, const Estimates& expected)
+{
+    return any_mean_far_off(yours, expected, cut_means);
+}
+
+bool is_far_off(const Estimates& yours, const Estimates& expected)
+{
+    return any_mean_far_off(yours, expected, std::numeric_limits<double>::infinity());
 }
 
 }

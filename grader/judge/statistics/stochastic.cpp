@@ -113,29 +113,42 @@ Estimates light_of(const Picture& picture)
     return light;
 }
 
+namespace {
+
+/// "The red light is 12 % too high in the 16 x 16 pixels from (32, 16)"
+std::string what_in_words(const StochasticRule& rule, const std::string& quantity)
+{
+    constexpr std::array colours = {"red ", "green ", "blue "};
+    if (rule.worst == Worst::place)
+        return fmt::format("{} too far {}", rule.by_pixels ? "The picture lies" : "Edges lie",
+                           rule.right > 0   ? "to the right"
+                           : rule.right < 0 ? "to the left"
+                           : rule.down > 0  ? "down"
+                                            : "up");
+    if (rule.worst == Worst::sharpness)
+        return fmt::format("The picture is too {}: edges, shadows or highlights are {} than they should be",
+                           rule.worst_z > 0 ? "sharp" : "soft", rule.worst_z > 0 ? "harder" : "softer");
+    const double percent = rule.expected != 0 ? 100 * (rule.yours - rule.expected) / std::abs(rule.expected) : 0;
+    const std::string amount = rule.expected != 0
+                                   ? fmt::format("{:.3g} % too {}", std::abs(percent), percent > 0 ? "high" : "low")
+                                   : std::string("too high");
+    if (rule.tiled)
+        return fmt::format("The {}light is {} in the {} x {} pixels from ({}, {})",
+                           rule.channels == 3 ? colours[static_cast<std::size_t>(rule.channel)] : "", amount,
+                           rule.width, rule.height, rule.x, rule.y);
+    return fmt::format("{} is {} on average over {} rows",
+                       quantity.empty() ? fmt::format("Component {}", rule.channel) : quantity, amount, rule.height);
+}
+
+}
+
 std::string StochasticRule::message(const std::string& quantity) const
 {
     if (agree) return {};
-    constexpr std::array colours = {"red ", "green ", "blue "};
-    const double percent = expected != 0 ? 100 * (yours - expected) / std::abs(expected) : 0;
-    const std::string amount = expected != 0
-                                   ? fmt::format("{:.3g} % too {}", std::abs(percent), percent > 0 ? "high" : "low")
-                                   : std::string("too high");
-    const std::string what =
-        moved ? fmt::format("{} too far {}", by_pixels ? "The picture lies" : "Edges lie",
-                            right > 0   ? "to the right"
-                            : right < 0 ? "to the left"
-                            : down > 0  ? "down"
-                                        : "up")
-        : tiled
-            ? fmt::format("The {}light is {} in the {} x {} pixels from ({}, {})",
-                          channels == 3 ? colours[static_cast<std::size_t>(channel)] : "", amount, width, height, x, y)
-            : fmt::format("{} is {} on average over {} rows",
-                          quantity.empty() ? fmt::format("Component {}", channel) : quantity, amount, height);
     const std::string odds =
         probability > 1e-300 ? fmt::format("at most once in {:.2g}", 1 / probability) : std::string("never");
-    return fmt::format("{}: {:.1f} standard deviations, which noise does {}{}", what, std::abs(worst_z), odds,
-                       probability > 1e-300 ? (tiled ? " pictures" : " tables") : "");
+    return fmt::format("{}: {:.1f} standard deviations, which noise does {}{}", what_in_words(*this, quantity),
+                       std::abs(worst_z), odds, probability > 1e-300 ? (tiled ? " pictures" : " tables") : "");
 }
 
 StochasticRule apply_stochastic_rule(const Estimates& yours, const Estimates& expected, const Forgiven& forgiven)
@@ -174,24 +187,29 @@ StochasticRule apply_stochastic_rule(const Estimates& yours, const Estimates& ex
             }
         }
     }
+    const double light = all.back() / expected.channels;
+    const auto take = [&](const PatternSums& found, Worst what) {
+        const double z = deviation_of(found.sums, forgiven);
+        const double probability = tile_probability(found.sums, z);
+        ++rule.tests;
+        if (std::abs(z) > certain && light > 0)
+            rule.misplaced = std::max(rule.misplaced, std::min(1.0, found.misplaced / light));
+        if (!(probability < smallest)) return false;
+        smallest = probability;
+        rule.worst_z = z;
+        rule.worst = what;
+        return true;
+    };
     for (int channel = 0; rule.tiled && channel < expected.channels; ++channel)
         for (const bool vertical : {false, true}) {
-            const AlignmentSums found = alignment_sums(yours, expected, channel, vertical);
-            const double z = deviation_of(found.sums, forgiven);
-            const double probability = tile_probability(found.sums, z);
-            ++rule.tests;
-            const double light = all.back() / expected.channels;
-            if (std::abs(z) > certain && light > 0)
-                rule.misplaced = std::max(rule.misplaced, std::min(1.0, found.misplaced / light));
-            if (!(probability < smallest)) continue;
-            smallest = probability;
-            rule.worst_z = z;
-            rule.moved = true;
-            const int behind = z > 0 ? -1 : 1;
+            if (!take(alignment_sums(yours, expected, channel, vertical), Worst::place)) continue;
+            const int behind = rule.worst_z > 0 ? -1 : 1;
             rule.right = vertical ? 0 : behind;
             rule.down = vertical ? behind : 0;
         }
-    rule.by_pixels = rule.moved && lies_better_moved(yours, expected, -rule.right, -rule.down);
+    if (rule.tiled)
+        for (const PatternSums& found : sharpness_sums(yours, expected)) take(found, Worst::sharpness);
+    rule.by_pixels = rule.worst == Worst::place && lies_better_moved(yours, expected, -rule.right, -rule.down);
     for (std::size_t level = 0; rule.tiled && level < wrong.size(); ++level)
         if (all[level] > 0) rule.misplaced = std::max(rule.misplaced, std::min(1.0, wrong[level] / all[level]));
     if (!rule.tiled) rule.misplaced = mean_share;

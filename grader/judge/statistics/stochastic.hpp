@@ -38,14 +38,21 @@ inline constexpr Forgiven forgiven_floats{2e-5, 0};
 /// Bernoulli 2015.
 inline constexpr double tail_factor = 3.179;
 
+/// In what two results differ most, beyond noise.
+enum class Worst {
+    tile,      ///< light in one part of the picture
+    place,     ///< where the whole picture lies
+    sharpness  ///< how sharp it is: positive where yours is sharper
+};
+
 /// How likely two Monte Carlo results have the same expectation.
 struct StochasticRule {
     bool agree = false;
     double probability =
         1;  ///< an upper bound for the chance that noise alone gives a tile at least as far off as the worst
-    double worst_z = 0;      ///< of the worst tile, in standard deviations of its sum; positive where yours is larger
-    bool moved = false;      ///< the worst is no tile, but where the whole picture lies
-    bool by_pixels = false;  ///< … and it would lie better if it were moved by a whole pixel
+    double worst_z = 0;  ///< of the worst tile, in standard deviations of its sum; positive where yours is larger
+    Worst worst = Worst::tile;
+    bool by_pixels = false;  ///< where the place is worst: it would lie better if it were moved by a whole pixel
     int right = 0;           ///< then: 1 if yours lies too far to the right, -1 to the left
     int down = 0;            ///< and 1 if too far down, -1 up; one of the two is 0
     int x = 0;               ///< left, top and size of that tile
@@ -79,12 +86,13 @@ inline constexpr double stochastic_alpha = 1e-4;
 /// makes the tail heavier. Sidak's correction covers all tiles and channels.
 ///
 /// A local mistake shows in a small tile, a wrong factor everywhere in the large ones, and a picture that lies a pixel
-/// beside its place, which moves no tile's mean, in alignment_sums(). A filter that spreads samples
-/// over neighbouring pixels, or one seed for all pixels, makes them depend on each other: then the test is too strict.
-/// Based on: K. Subr, J. Arvo. Statistical Hypothesis Testing for Assessing Monte Carlo Estimators. Pacific Graphics
-/// 2007; V. Bentkus, D. Dzindzalieta. A Tight Gaussian Bound for Weighted Sums of Rademacher Random Variables.
-/// Bernoulli 2015; B.-Y. Jing, Q.-M. Shao, Q. Wang. Self-Normalized Cramer-Type Large Deviations for Independent Random
-/// Variables. Annals of Probability 2003.
+/// beside its place, which moves no tile's mean, in alignment_sums(); nor does a shadow that is hard and should be
+/// soft, or a lens that is too small: sharpness_sums() shows these. A filter that spreads samples over neighbouring
+/// pixels, or one seed for all pixels, makes them depend on each other: then the test is too strict. Based on: K. Subr,
+/// J. Arvo. Statistical Hypothesis Testing for Assessing Monte Carlo Estimators. Pacific Graphics 2007; V. Bentkus, D.
+/// Dzindzalieta. A Tight Gaussian Bound for Weighted Sums of Rademacher Random Variables. Bernoulli 2015; B.-Y. Jing,
+/// Q.-M. Shao, Q. Wang. Self-Normalized Cramer-Type Large Deviations for Independent Random Variables. Annals of
+/// Probability 2003.
 [[nodiscard]] StochasticRule apply_stochastic_rule(const Estimates& yours, const Estimates& expected,
                                                    const Forgiven& forgiven);
 
@@ -96,6 +104,10 @@ inline constexpr double stochastic_alpha = 1e-4;
 /// means: if the means of their sizes then differ by more than half, beyond chance, the two are not comparable. Correct
 /// work is accused with a chance below a hundredth of check_alpha().
 [[nodiscard]] bool scatters_apart(const Estimates& yours, const Estimates& expected);
+
+/// Do the means of the sizes themselves, nothing cut, differ by more than half in any channel, beyond chance? Then
+/// noise hides nothing: what is wrong is a bias that anybody sees.
+[[nodiscard]] bool is_far_off(const Estimates& yours, const Estimates& expected);
 
 /// Is light that is nowhere negative more than half taken away again by negative estimates? Huge ones of either sign,
 /// now and then, have in scatters_apart() whatever mean is expected.
@@ -124,6 +136,12 @@ struct TileSums {
     TileSums& operator+=(const TileSums& other);
 };
 
+/// Sums of differences d, each times what the pixels round it show.
+struct PatternSums {
+    TileSums sums;
+    double misplaced = 0;  ///< light in the wrong place, at least: the size of the sum of d times the weights' signs
+};
+
 /// How much less two pictures differ, in the sum of squares, if yours is moved a pixel one way along an axis (x, or y
 /// if `vertical`) than the other way. `sums.difference` is positive where yours must move on to lie as expected (it
 /// lies too far left, or up); deviation_of() and tile_probability() hold for `sums` as for a tile's.
@@ -133,12 +151,17 @@ struct TileSums {
 /// alignments on one side less those on the other, weighted 1, 2, 1, are -16 sum d g. Exchanging the two pictures at a
 /// pixel turns the sign of its d, and leaves its g: so here too all signs are equally likely, whatever the sizes. Where
 /// the two estimate differently, terms of neighbours are correlated, but never positively.
-struct AlignmentSums {
-    TileSums sums;
-    double misplaced = 0;  ///< light in the wrong place, at least: the size of the sum of d times the sign of g
-};
-[[nodiscard]] AlignmentSums alignment_sums(const Estimates& yours, const Estimates& expected, int channel,
-                                           bool vertical);
+[[nodiscard]] PatternSums alignment_sums(const Estimates& yours, const Estimates& expected, int channel, bool vertical);
+
+/// How much sharper yours is than it should be, for each of three sizes, each channel, and each colour of a chessboard:
+/// `sums.difference` is positive where it is sharper.
+///
+/// They are sums of d h / mean |h|, d the difference in a pixel (then in cells of 2 x 2, and of 4 x 4), and h how much
+/// lighter the mean of both pictures is next to it than a knight's move away. What is too soft lacks light where it
+/// gathers, and has it where it is dark between. All that h is read from has the other colour of the chessboard: so
+/// exchanging the two pictures at a pixel turns the sign of its d and leaves its h, and terms of one colour do not
+/// depend on each other even where the two estimate differently.
+[[nodiscard]] std::vector<PatternSums> sharpness_sums(Estimates yours, Estimates expected);
 
 /// Do two pictures differ less, in the sum of squares of all channels inside the border, if yours is first moved by
 /// (right, down) pixels, each -1, 0 or 1?

@@ -168,6 +168,12 @@ double vertices_of(const GlCall& call)
     return count(call, found->vertices) * (found->instances ? count(call, *found->instances) : 1);
 }
 
+std::optional<std::size_t> place_of_count(const GlCall& call)
+{
+    const auto found = std::ranges::find(counted_calls, call.name, &Counted::name);
+    return found == counted_calls.end() ? std::nullopt : std::optional(found->vertices);
+}
+
 double objects_created(const GlCall& call)
 {
     constexpr std::string_view single[] = {"glCreateShader", "glCreateProgram", "glFenceSync"};

@@ -8,10 +8,13 @@
 
 namespace umbral::grader {
 
+/// What stands for a pointer that is no offset, in a trace.
+inline constexpr double some_address = 1;
+
 /// One call of OpenGL in a recorded trace.
 struct GlCall {
     std::string_view name;          ///< "glDrawArrays"; lives as long as the trace's text
-    std::vector<double> arguments;  ///< enumerants as numbers; a pointer counts as 0 if null, else 1
+    std::vector<double> arguments;  ///< enumerants as numbers; an offset below 64 KiB as it is, else some_address
     std::uint64_t bytes = 0;        ///< uploaded
 };
 
@@ -32,6 +35,9 @@ struct GlTrace {
 /// arguments.
 [[nodiscard]] double vertices_of(const GlCall& call);
 
+/// Where a draw call says how many vertices or indices it takes: the place of that argument. Nothing of other calls.
+[[nodiscard]] std::optional<std::size_t> place_of_count(const GlCall& call);
+
 /// Objects that glGen... and glCreate..., or glDelete..., make or delete, by the count they are given.
 [[nodiscard]] double objects_created(const GlCall& call);
 [[nodiscard]] double objects_deleted(const GlCall& call);
@@ -46,7 +52,7 @@ struct GlTrace {
 /// is one.
 [[nodiscard]] std::string in_cpp(const GlCall& call);
 
-/// The same call but for the numbers of objects, which each program gets as they come.
+/// The same call but for the numbers of objects, which each program gets as they come, and for places in buffers.
 [[nodiscard]] bool same_call(const GlCall& a, const GlCall& b);
 
 }

@@ -186,7 +186,7 @@ std::string plain(double value)
 
 std::string argument_text(char kind, double value)
 {
-    if (kind == 'p' && value != 0) return "pointer";
+    if (kind == 'p' && value == some_address) return "pointer";
     if (kind == 'b' && (value == 0 || value == 1)) return value == 0 ? "GL_FALSE" : "GL_TRUE";
     if (kind == 'm')
         for (std::size_t i = 0; i < modes.size(); ++i)
@@ -211,8 +211,10 @@ bool same_call(const GlCall& a, const GlCall& b)
 {
     if (a.name != b.name || a.arguments.size() != b.arguments.size() || a.bytes != b.bytes) return false;
     for (std::size_t i = 0; i < a.arguments.size(); ++i) {
-        const bool object = kind_of(a, i) == 'o';
-        if (object ? (a.arguments[i] == 0) != (b.arguments[i] == 0) : a.arguments[i] != b.arguments[i]) return false;
+        const char kind = kind_of(a, i);
+        if (kind == 'o' || kind == 'p' ? (a.arguments[i] == 0) != (b.arguments[i] == 0)
+                                       : a.arguments[i] != b.arguments[i])
+            return false;
     }
     return true;
 }

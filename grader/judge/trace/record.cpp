@@ -8,10 +8,12 @@
 #include "judge/controls.hpp"
 #include "judge/evidence/kinds.hpp"
 #include "judge/explain/resemblances.hpp"
+#include "judge/explain/thresholds.hpp"
 #include "judge/judge_record.hpp"
 #include "judge/parameters.hpp"
 #include "judge/rows/tensor_view.hpp"
 #include "judge/rules.hpp"
+#include "judge/trace/draw_faults.hpp"
 #include "judge/trace/rule.hpp"
 #include "judge/trace/trace_counts.hpp"
 #include "text/field.hpp"
@@ -87,6 +89,18 @@ Resemblance same_trace(const FailingCheck& failing, const Tensor& mistake_tensor
     return alike(2 * telling, counted(*yours, "draw calls") == 0 && counted(*expected, "draw calls") > 0);
 }
 
+// A draw call that takes data where there are none is wrong, whatever the calls' counts are.
+// One is enough: others may follow from it.
+std::optional<Explanation> fault_of_draws(const FailingCheck& one)
+{
+    const auto yours = parse_gl_trace(text_of(one.student));
+    const auto expected = parse_gl_trace(text_of(one.expected));
+    if (!yours || !expected) return std::nullopt;
+    std::vector<DrawFault> faults = draw_faults(*yours, *expected);
+    if (faults.empty()) return std::nullopt;
+    return Explanation{std::move(faults.front().name), std::move(faults.front().sentence), thresholds::very_sure};
+}
+
 constexpr OwnField fields_of_trace[] = {{"rules", R"({
   "description": "Traces: what is counted against the reference.",
   "type": "array",
@@ -118,6 +132,7 @@ constinit const JudgeRecord trace_judge{
             return Controls{{"no call", without_rows(expected)}};
         },
     .resemblance = same_trace,
+    .fault = fault_of_draws,
     .evidence = trace_evidence,
 };
 

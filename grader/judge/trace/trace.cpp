@@ -153,18 +153,21 @@ Judgement judge_trace(const Check& check, const Tensor& student, const Tensor& e
     }
     const auto rules = static_cast<double>(wanted.size());
     judgement.right = (rules - static_cast<double>(complaints.size())) / rules;
-    if (yours->truncated) {
-        complaints.insert(complaints.begin(), fmt::format("more than {} calls, {} are enough",
-                                                          count_text(static_cast<double>(yours->calls.size())),
-                                                          count_text(static_cast<double>(expected->calls.size()))));
-        judgement.right = 0;
-    }
+    // What follows is said before all else.
+    std::vector<std::string> first;
     if (counted(*yours, draw_calls) == 0 && counted(*expected, draw_calls) > 0) {
-        complaints.insert(complaints.begin(), "nothing is drawn");
+        first.emplace_back("nothing is drawn");
         judgement.right = 0;
         judgement.first_difference = first_difference(draw_calls, *yours, *expected);
     }
-    judgement.message = fmt::format("{}", fmt::join(complaints, "; "));
+    if (yours->truncated) {
+        first.push_back(fmt::format("more than {} calls, {} are enough",
+                                    count_text(static_cast<double>(yours->calls.size())),
+                                    count_text(static_cast<double>(expected->calls.size()))));
+        judgement.right = 0;
+    }
+    std::ranges::move(complaints, std::back_inserter(first));
+    judgement.message = fmt::format("{}", fmt::join(first, "; "));
     return judgement;
 }
 

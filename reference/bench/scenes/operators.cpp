@@ -136,6 +136,11 @@ constexpr auto flaws = std::to_array<Entry<Flaw>>({
     {Flaw::aperture_halved, {"aperture halved", "The lens has half its radius: too sharp."}},
     {Flaw::pixel_not_jittered, {"pixel not jittered", "All samples go through the pixel's centre: jagged edges."}},
     {Flaw::bounce_missing, {"bounce missing", "Light that has bounced is not gathered."}},
+    {Flaw::thing_missing, {"thing missing", "One thing of the scene is not drawn."}},
+    {Flaw::thing_moved, {"thing moved", "One thing stands aside by 1 % of the camera's distance."}},
+    {Flaw::thing_recoloured, {"thing recoloured", "One thing is a fifth darker, and a little redder."}},
+    {Flaw::reflection_missing, {"reflection missing", "Mirrors reflect nothing."}},
+    {Flaw::refraction_missing, {"refraction missing", "Light goes straight through glass."}},
 });
 
 constexpr auto ways = std::to_array<Entry<Way>>({
@@ -145,7 +150,7 @@ constexpr auto ways = std::to_array<Entry<Way>>({
     {Way::fused_multiply_add, {"fused multiply add", "Compiled with -O3 and fused multiply-add."}},
     {Way::other_compiler, {"other compiler", "Compiled by clang++."}},
     {Way::double_precision, {"double precision", "Computed in double."}},
-    {Way::triangles_reordered, {"triangles reordered", "The triangles of each mesh in another order."}},
+    {Way::triangles_reordered, {"triangles reordered", "The triangles of each mesh, or things, in another order."}},
     {Way::corners_rotated, {"corners rotated", "Each triangle begins at another of its corners."}},
     {Way::indexed_mesh, {"indexed mesh", "Equal corners are merged, and drawn by index."}},
     {Way::triangles_split, {"triangles split", "Each triangle is cut into three at its centre."}},
@@ -161,6 +166,8 @@ constexpr auto ways = std::to_array<Entry<Way>>({
     {Way::uniform_sampling,
      {"uniform sampling", "Uniform directions with the right weights, instead of cosine-distributed ones."}},
     {Way::stratified_samples, {"stratified samples", "One sample in each cell of a grid instead of independent ones."}},
+    {Way::followed_by_rays, {"followed by rays", "Rays to the first surface instead of a rasteriser."}},
+    {Way::world_moved, {"world moved", "Things, lights and camera are turned and moved together."}},
 });
 
 template <class Table, class Kind>

@@ -115,6 +115,12 @@ enum class Flaw {
     aperture_halved,
     pixel_not_jittered,
     bounce_missing,
+    // things in a scene
+    thing_missing,
+    thing_moved,
+    thing_recoloured,
+    reflection_missing,
+    refraction_missing,
 };
 
 /// Another right way to draw the same picture.
@@ -141,6 +147,8 @@ enum class Way {
     fresh_seed_3,
     uniform_sampling,
     stratified_samples,
+    followed_by_rays,
+    world_moved,
 };
 
 /// An operator's name, as files and tables have it, and a sentence for people.

@@ -57,6 +57,11 @@ SoftwareBuild Painters::software(Way way)
     }
 }
 
+render::Frame Painters::engine(const std::string& renderer, const render::Job& job)
+{
+    return studio_.draw(render::renderer_named(renderer), job).frame;
+}
+
 bool Painters::has(Way way) const
 {
     if (way == Way::other_gl_back_end) return other_ != nullptr;

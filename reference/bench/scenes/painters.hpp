@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "opengl.hpp"
+#include "render/renderers.hpp"
 #include "software.hpp"
 
 namespace umbral::bench::scenes {
@@ -19,6 +20,8 @@ public:
     [[nodiscard]] Image opengl(const Model& model, Flaw flaw, Way way);
     /// The build that the way asks for; the plain one for ways that ask for none.
     [[nodiscard]] static SoftwareBuild software(Way way);
+    /// The engine's picture, by the renderer of this name.
+    [[nodiscard]] render::Frame engine(const std::string& renderer, const render::Job& job);
     /// Can this way be drawn on this machine, with this build?
     [[nodiscard]] bool has(Way way) const;
     [[nodiscard]] std::string description() { return main_.description(); }
@@ -26,6 +29,7 @@ public:
 private:
     OpenGlPainter main_;
     std::unique_ptr<OpenGlPainter> other_;
+    render::Studio studio_;
 };
 
 }

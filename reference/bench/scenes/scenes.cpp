@@ -91,8 +91,8 @@ Scene model_scene(std::string name, std::string about, Home home, int size, Buil
 std::vector<Scene> all_scenes(int size)
 {
     std::vector<Scene> all;
-    for (const auto& family :
-         {lit_scenes, textured_scenes, layered_scenes, depth_scenes, line_scenes, polygon_scenes, noisy_scenes}) {
+    for (const auto& family : {lit_scenes, textured_scenes, layered_scenes, depth_scenes, line_scenes, polygon_scenes,
+                               noisy_scenes, engine_scenes}) {
         std::vector<Scene> some = family(size);
         std::move(some.begin(), some.end(), std::back_inserter(all));
     }

@@ -62,6 +62,7 @@ extern const std::vector<Flaw> encoded;   ///< encoded with gamma
 [[nodiscard]] std::vector<Scene> line_scenes(int size);
 [[nodiscard]] std::vector<Scene> polygon_scenes(int size);
 [[nodiscard]] std::vector<Scene> noisy_scenes(int size);
+[[nodiscard]] std::vector<Scene> engine_scenes(int size);
 
 /// All of them.
 [[nodiscard]] std::vector<Scene> all_scenes(int size);

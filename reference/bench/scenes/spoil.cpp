@@ -174,16 +174,9 @@ void spoil_batch(const Model& m, Batch& batch, Flaw flaw)
 void spoil_camera(Model& m, Flaw flaw)
 {
     Camera& c = m.camera;
-    if (flaw == Flaw::fov_3_percent_wrong) {
-        c.fovy_degrees *= 1.03F;
-        c.ortho_height *= 1.03F;
-    }
+    spoil_view(c, flaw);
+    if (flaw == Flaw::fov_3_percent_wrong) c.ortho_height *= 1.03F;
     if (flaw == Flaw::aspect_ignored) c.takes_square = true;
-    if (flaw == Flaw::camera_1_percent_off) {
-        const glm::vec3 aside = glm::normalize(glm::cross(c.target - c.eye, c.up)) * distance_of(m) * 0.01F;
-        c.eye += aside;
-        c.target += aside;
-    }
     if (flaw == Flaw::near_plane_too_far) c.near = 0.97F * distance_of(m);
     if (flaw == Flaw::far_plane_too_near) c.far = 1.08F * distance_of(m);
     if (flaw == Flaw::near_plane_tiny) c.near = 1e-4F;

@@ -1,4 +1,5 @@
-// alternative: draws the hook in two pieces, and places hooks by GLM's functions and by unit vectors
+// alternative: draws the hook in two pieces, places hooks by GLM's functions and by unit vectors, and the last one
+// first
 #include <numbers>
 #include <umbral/transforms/hook.hpp>
 
@@ -43,7 +44,7 @@ glm::mat4 hook_matrix(const glm::vec3& from, const glm::vec3& to)
 
 void draw_hook_circle(Pipeline& pipeline, const Figure& hook, unsigned count)
 {
-    for (unsigned i = 0; i < count; ++i) {
+    for (unsigned i = count; i-- > 0;) {
         const float step = 2 * std::numbers::pi_v<float> / static_cast<float>(count);
         const float begin = static_cast<float>(i) * step;
         const float end = static_cast<float>(i + 1) * step;

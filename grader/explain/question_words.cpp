@@ -1,0 +1,63 @@
+#include "explain/question_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "question/names.hpp"
+
+#include <umbral/record/reflect.hpp>
+
+namespace umbral::grader {
+namespace {
+
+/// "a, b and c"
+std::string listed(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+    return text;
+}
+
+}
+
+std::vector<std::string> functions_of(const OtherQuestion& question)
+{
+    std::vector<std::string> all{question.function};
+    for (const OtherPlace& one : question.also)
+        if (std::ranges::find(all, one.function) == all.end()) all.push_back(one.function);
+    return all;
+}
+
+std::string in_words(const OtherQuestion& question, const std::string& headers)
+{
+    const auto words_of = [&](const std::string& function, const std::string& place) {
+        if (function.empty()) return std::string(reflect::last_name(place));
+        return in_words(place, parameter_names(headers, function));
+    };
+    std::vector<std::string> places{words_of(question.function, question.place)};
+    for (const OtherPlace& one : question.also)
+        if (std::string words = words_of(one.function, one.place); std::ranges::find(places, words) == places.end())
+            places.push_back(std::move(words));
+    if (question.other.empty()) return fmt::format("{} {}", listed(places), question.change);
+    const std::string other = words_of(question.function, question.other);
+    if (question.change.empty()) return fmt::format("{} and {} exchanged", places.front(), other);
+    return fmt::format("{} {} {}", places.front(), question.change, other);
+}
+
+std::string sentence(const OtherQuestion& question, const std::string& words)
+{
+    if (question.function.empty())
+        return fmt::format(
+            "Your results are the right ones for other questions: with {} in all of them. Look at how "
+            "your code uses what it is given.",
+            words);
+    std::vector<std::string> functions = functions_of(question);
+    for (std::string& function : functions) function = reflect::last_name(function);
+    return fmt::format(
+        "Your results are the right ones for {}: {} with {}. Look at how your code uses what it is given.",
+        functions.size() > 1 ? "other questions" : "another question", listed(functions), words);
+}
+
+}

@@ -1,0 +1,106 @@
+#include "explain/weighed_questions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "explain/question_words.hpp"
+#include "explain/questions_in_turn.hpp"
+#include "judge/explain/thresholds.hpp"
+
+#include <umbral/record/questions.hpp>
+
+namespace umbral::grader {
+namespace {
+
+/// What one run can hold.
+constexpr std::size_t most_tensors = 240;
+constexpr std::size_t most_tensor_bytes = std::size_t{32} << 20U;
+
+/// Is an argument changed to a number that has to be rounded, which a student's own code need not do?
+bool rounds(const OtherQuestion& question)
+{
+    constexpr std::array<std::string_view, 4> changes{"normalised", "squared", "subtracted from 1",
+                                                      "replaced by its reciprocal"};
+    return question.change.starts_with("turned from ") || std::ranges::find(changes, question.change) != changes.end();
+}
+
+/// Takes what the checks of one case say of the reference's answers to the other question. Where one mistake was made
+/// in two functions, each has a reason of its own.
+void weigh(const CaseChecks& group, const QuestionLog& log, const RunOutcome& run, WeighedQuestion& candidate)
+{
+    candidate.fits = false;
+    const std::vector<std::string> functions = functions_of(candidate.question);
+    for (const FailingCheck& one : group.checks) {
+        if (!may_concern(log, one, functions)) continue;
+        FailingCheck rounded = one;
+        // In hard cases the student's own code rounds otherwise than the reference, too.
+        if (rounds(candidate.question) || one.check->hard) rounded.rounding = thresholds::rounding_left;
+        const Resemblance said = says_of(rounded, *group.result, run);
+        candidate.tally += said;
+        candidate.tally.hard_against += said.says == Says::against_it && one.check->hard ? 1 : 0;
+        candidate.failing += one.fails ? 1 : 0;
+        candidate.fits = candidate.fits || said.says == Says::for_it;
+        if (said.says == Says::for_it) candidate.speaking.push_back(one.check->name);
+    }
+}
+
+/// How many other questions one run of this case can be asked: what it can hold, and within a fifth of its time, which
+/// a busy machine stretches.
+std::size_t room(const RunOutcome& plain, const Limits& limits)
+{
+    std::size_t bytes = 1;
+    for (const auto& [name, tensor] : plain.recording.tensors) bytes += tensor.bytes.size() + tensor.present.size();
+    const std::size_t tensors = std::max<std::size_t>(1, plain.recording.tensors.size());
+    const auto in_time = static_cast<std::size_t>(0.2 * limits.wall_seconds / std::max(plain.cpu_seconds, 1e-3));
+    return std::clamp<std::size_t>(std::min({most_tensors / tensors, most_tensor_bytes / bytes, in_time}), 1, 64);
+}
+
+}
+
+bool may_concern(const QuestionLog& log, const FailingCheck& one, std::span<const std::string> functions)
+{
+    const auto rows = log.rows.find(one.check->value);
+    if (rows == log.rows.end() || functions.front().empty()) return true;
+    return std::ranges::any_of(rows->second, [&](std::uint32_t question) {
+        const QuestionKind* const kind = question == 0 ? nullptr : log.kind_of(question - 1);
+        return kind == nullptr || std::ranges::any_of(functions, [&](const std::string& function) {
+                   return may_change(log, function, kind->function);
+               });
+    });
+}
+
+void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group, std::span<WeighedQuestion> candidates,
+               SpareTime& time)
+{
+    if (candidates.empty() || !time.is_left()) return;
+    const RunOutcome& plain = worker.trusted(exercise, Answers::reference, group.name, group.result->seed);
+    // What one draw leaves in OpenGL's state must not reach the next.
+    const std::size_t most = exercise.gl && leaves_picture(plain) ? 1 : room(plain, exercise.limits);
+    if (candidates.size() > most) {
+        weigh_all(worker, exercise, group, candidates.first(most), time);
+        weigh_all(worker, exercise, group, candidates.subspan(most), time);
+        return;
+    }
+    Inquiry inquiry;
+    for (const WeighedQuestion& candidate : candidates) inquiry.others.push_back(candidate.question);
+    const Limits limits = limits_for(exercise.limits, plain.cpu_seconds * static_cast<double>(1 + candidates.size()));
+    const RunOutcome run =
+        time.spent_on(worker.inquire(exercise, Answers::reference, group.name, group.result->seed, inquiry, limits));
+    if (run.verdict != Verdict::ok && candidates.size() > 1) {
+        weigh_all(worker, exercise, group, candidates.first(candidates.size() / 2), time);
+        weigh_all(worker, exercise, group, candidates.subspan(candidates.size() / 2), time);
+        return;
+    }
+    std::vector<RunOutcome> runs(candidates.size());
+    for (RunOutcome& one : runs) one.verdict = run.verdict;
+    for (const auto& [name, tensor] : run.recording.tensors) {
+        const std::size_t mark = name.find(question_names::of_other);
+        if (mark == std::string::npos || mark == 0) continue;
+        runs.at(std::stoul(name.substr(0, mark))).recording.tensors[name.substr(mark + 1)] = tensor;
+    }
+    const QuestionLog& log = worker.questions(exercise, group.name, group.result->seed);
+    for (std::size_t i = 0; i < candidates.size(); ++i) weigh(group, log, runs[i], candidates[i]);
+}
+
+}

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "model/common_tells.hpp"
+
+namespace umbral::grader {
+
+/// Something that all wrong answers share, in words that hold for answers to other questions too.
+struct AnswerPattern {
+    std::string words;
+    CommonTells tells = CommonTells::other;
+
+    friend bool operator==(const AnswerPattern&, const AnswerPattern&) = default;
+    friend bool operator==(const AnswerPattern& one, std::string_view words) { return one.words == words; }
+};
+
+}

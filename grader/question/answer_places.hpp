@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "question/answer_patterns.hpp"
+
+namespace umbral::grader {
+
+/// The components of a row in which some wrong answer differs by more than rounding. All must be as long as the right
+/// ones.
+[[nodiscard]] std::vector<std::size_t> wrong_components(const std::vector<const AnswerPair*>& wrong,
+                                                        std::size_t components);
+
+/// Where a row is wrong, of the components that are: "differs in y only", "differs in column 3 only". Empty if most of
+/// what it says is, or if the one row that is shown says it as well.
+[[nodiscard]] std::string place_of(const AnswerTable& table, const std::vector<std::size_t>& which);
+
+}

@@ -1,0 +1,91 @@
+#include "question/list_patterns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <span>
+
+#include "question/alike.hpp"
+
+namespace umbral::grader {
+namespace {
+
+using RowsOfList = std::span<const double>;
+
+/// So many more rows of each kind than expected; less than 0: fewer. Nothing if a kind is no number.
+std::map<double, int> surplus(const AnswerPair& one, std::size_t components)
+{
+    for (std::size_t at = 0; at < one.yours.size(); at += components)
+        if (!std::isfinite(one.yours[at])) return {};
+    std::map<double, int> kinds;
+    for (std::size_t at = 0; at < one.yours.size(); at += components) ++kinds[one.yours[at]];
+    for (std::size_t at = 0; at < one.expected.size(); at += components) --kinds[one.expected[at]];
+    std::erase_if(kinds, [](const auto& kind) { return kind.second == 0; });
+    return kinds;
+}
+
+}
+
+std::vector<std::string> list_patterns(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
+{
+    std::vector<std::string> found;
+    const std::size_t components = table.components;
+    const auto all = [&](auto holds) {
+        return std::ranges::all_of(wrong, [&](const AnswerPair* one) {
+            return one->expected.size() > components && holds(RowsOfList(one->yours), RowsOfList(one->expected));
+        });
+    };
+    if (all([&](RowsOfList yours, RowsOfList right) {
+            return alike_rows(yours, right.first(right.size() - components));
+        }))
+        found.emplace_back("lacks the last row");
+    if (all([&](RowsOfList yours, RowsOfList right) { return alike_rows(yours, right.subspan(components)); }))
+        found.emplace_back("lacks the first row");
+    if (all([&](RowsOfList yours, RowsOfList right) {
+            return yours.size() == right.size() + components && alike_rows(yours.first(right.size()), right);
+        }))
+        found.emplace_back("has a row too many at its end");
+    if (all([&](RowsOfList yours, RowsOfList right) {
+            return yours.size() == right.size() + components && alike_rows(yours.subspan(components), right);
+        }))
+        found.emplace_back("has a row too many at its beginning");
+    if (all([&](RowsOfList yours, RowsOfList right) {
+            if (yours.size() != right.size()) return false;
+            std::vector<double> turned;
+            for (std::size_t at = yours.size(); at > 0; at -= components)
+                turned.insert(turned.end(), yours.begin() + static_cast<long>(at - components),
+                              yours.begin() + static_cast<long>(at));
+            return alike_rows(turned, right);
+        }))
+        found.emplace_back("has its rows in the opposite order");
+    return found;
+}
+
+std::vector<std::string> kind_patterns(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
+{
+    if (table.kinds.empty() || table.components == 0) return {};
+    std::optional<double> lacking;
+    std::optional<double> too_often;
+    bool lacks = true;
+    bool has = true;
+    for (const AnswerPair* one : wrong) {
+        const std::map<double, int> kinds = surplus(*one, table.components);
+        if (kinds.size() != 1) return {};
+        const auto& [kind, more] = *kinds.begin();
+        lacks = lacks && more < 0 && (!lacking || *lacking == kind);
+        has = has && more > 0 && (!too_often || *too_often == kind);
+        (more < 0 ? lacking : too_often) = kind;
+    }
+    const auto name = [&](const std::optional<double>& kind) {
+        const auto found = kind ? table.kinds.find(*kind) : table.kinds.end();
+        return found == table.kinds.end() ? std::string() : found->second;
+    };
+    if (lacks && !name(lacking).empty()) return {fmt::format("lacks \"{}\"", name(lacking))};
+    if (has && !name(too_often).empty()) return {fmt::format("has \"{}\" too often", name(too_often))};
+    return {};
+}
+
+}

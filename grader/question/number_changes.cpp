@@ -1,0 +1,177 @@
+#include "question/number_changes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "question/alike.hpp"
+
+namespace umbral::grader {
+namespace {
+
+struct KnownConstant {
+    double value;
+    const char* name;
+    const char* remark = "";
+};
+
+constexpr double pi = std::numbers::pi;
+constexpr double ln2 = std::numbers::ln2;
+constexpr double ln10 = std::numbers::ln10;
+constexpr std::array<KnownConstant, 23> known_constants{{
+    {pi, "pi"},
+    {2 * pi, "2 pi"},
+    {4 * pi, "4 pi"},
+    {pi / 2, "pi/2"},
+    {pi / 3, "pi/3"},
+    {pi / 4, "pi/4"},
+    {pi / 6, "pi/6"},
+    {1 / pi, "1/pi"},
+    {2 / pi, "2/pi"},
+    {0.5 / pi, "1/(2 pi)"},
+    {0.25 / pi, "1/(4 pi)"},
+    {pi / 180, "pi/180", "degrees to radians"},
+    {180 / pi, "180/pi", "radians to degrees"},
+    {ln2, "ln 2", "as ln is of log2"},
+    {1 / ln2, "1/ln 2", "as log2 is of ln"},
+    {ln10, "ln 10", "as ln is of log10"},
+    {1 / ln10, "1/ln 10", "as log10 is of ln"},
+    {ln2 / ln10, "ln 2/ln 10", "as log10 is of log2"},
+    {ln10 / ln2, "ln 10/ln 2", "as log2 is of log10"},
+    {std::numbers::sqrt2, "the square root of 2"},
+    {std::numbers::sqrt2 / 2, "1 divided by the square root of 2"},
+    {std::numbers::sqrt3, "the square root of 3"},
+    {std::numbers::inv_sqrt3, "1 divided by the square root of 3"},
+}};
+
+std::string digits_of(double number) { return fmt::format("{:.6g}", number); }
+
+bool is_near(double a, double b) { return alike(a, b, std::abs(b)); }
+
+/// Has it no more than four digits?
+bool is_short(double number)
+{
+    const double rounded = std::stod(fmt::format("{:.4g}", number));
+    return std::abs(rounded - number) <= 1e-6 * std::abs(number);
+}
+
+/// "2/3"; empty if it is no simple fraction.
+std::string fraction_text(double number)
+{
+    for (const int below : {3, 6, 7, 9, 11, 12, 255, 256}) {
+        const double above = std::round(number * below);
+        if (above == below) return "";
+        if (above >= 1 && above <= 2 * 12 && is_near(number, above / below)) return fmt::format("{}/{}", above, below);
+    }
+    return "";
+}
+
+std::size_t different(std::span<const double> values) { return std::set<double>(values.begin(), values.end()).size(); }
+
+/// The right ones plus a number, or times one.
+std::optional<AnswerPattern> sum_or_product(std::span<const double> yours, std::span<const double> right)
+{
+    std::optional<double> factor;
+    const double offset = yours.front() - right.front();
+    bool same_offset = true;
+    bool same_factor = true;
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        const double size = std::max(std::abs(yours[i]), std::abs(right[i]));
+        same_offset = same_offset && alike(yours[i] - right[i], offset, size);
+        if (right[i] == 0) {
+            same_factor = same_factor && yours[i] == 0;
+            continue;
+        }
+        if (!factor) factor = yours[i] / right[i];
+        same_factor = same_factor && alike(yours[i] / right[i], *factor, std::abs(*factor));
+    }
+    if (same_offset && offset != 0)
+        return AnswerPattern{
+            fmt::format("the right one {} {}", offset > 0 ? "plus" : "minus", constant_text(std::abs(offset), false))};
+    if (!same_factor || !factor || *factor == 0 || alike(*factor, 1, 1)) return std::nullopt;
+    return multiple(*factor);
+}
+
+/// A number divided by the right ones: a quotient upside down.
+std::optional<std::string> upside_down(std::span<const double> yours, std::span<const double> right)
+{
+    constexpr std::size_t least_different = 3;
+    const double product = yours.front() * right.front();
+    if (product == 0 || different(right) < least_different) return std::nullopt;
+    for (std::size_t i = 0; i < right.size(); ++i)
+        if (!is_near(yours[i] * right[i], product)) return std::nullopt;
+    return fmt::format("{} divided by the right one", constant_text(product, false));
+}
+
+/// What division of integers leaves, or a conversion to one.
+std::optional<std::string> made_whole(std::span<const double> yours, std::span<const double> right)
+{
+    constexpr std::size_t least_different = 4;
+    std::set<double> fractions;
+    for (const double one : right)
+        if (std::abs(one - std::round(one)) > rounding * std::max(1.0, std::abs(one))) fractions.insert(one);
+    if (fractions.size() < least_different) return std::nullopt;
+    const auto all = [&](double (*whole)(double)) {
+        return std::ranges::equal(yours, right, {}, {}, [whole](double x) { return whole(x); });
+    };
+    if (all([](double x) { return std::trunc(x); })) return "the right one without its fraction";
+    if (all([](double x) { return std::floor(x); })) return "the right one rounded down";
+    if (all([](double x) { return std::ceil(x); })) return "the right one rounded up";
+    if (all([](double x) { return std::round(x); })) return "the right one rounded to a whole number";
+    return std::nullopt;
+}
+
+}
+
+std::string constant_text(double number, bool remark)
+{
+    const double size = std::abs(number);
+    const std::string sign = number < 0 ? "-" : "";
+    if (!std::isfinite(number) || is_short(number)) return digits_of(number);
+    const auto* const found =
+        std::ranges::find_if(known_constants, [&](const KnownConstant& one) { return is_near(size, one.value); });
+    if (found != known_constants.end()) {
+        const std::string told = remark && *found->remark != '\0' ? fmt::format(" ({})", found->remark) : "";
+        return sign + found->name + told;
+    }
+    if (const std::string fraction = fraction_text(size); !fraction.empty()) return sign + fraction;
+    return digits_of(number);
+}
+
+AnswerPattern multiple(double factor)
+{
+    if (alike(factor, -1, 1)) return {"the right one with the opposite sign", CommonTells::opposite};
+    const std::string text = constant_text(factor);
+    const bool has_name = text != digits_of(factor);
+    return {text + " times the right one", has_name ? CommonTells::other : CommonTells::multiple};
+}
+
+std::optional<AnswerPattern> change_of_numbers(std::span<const double> yours, std::span<const double> right)
+{
+    // Of a single right value anything is true.
+    if (yours.empty() || different(right) < 2) return std::nullopt;
+    if (auto found = sum_or_product(yours, right)) return found;
+    auto words = made_whole(yours, right);
+    if (!words) words = upside_down(yours, right);
+    return words ? std::optional(AnswerPattern{*std::move(words)}) : std::nullopt;
+}
+
+std::optional<std::string> side_of_numbers(std::span<const double> yours, std::span<const double> right)
+{
+    constexpr std::size_t least = 8;  ///< of fewer, all may lie on one side by chance
+    std::size_t larger = 0;
+    std::size_t smaller = 0;
+    for (std::size_t i = 0; i < yours.size(); ++i) {
+        if (alike(yours[i], right[i], std::max(std::abs(yours[i]), std::abs(right[i])))) continue;
+        ++(yours[i] > right[i] ? larger : smaller);
+    }
+    if (larger >= least && smaller == 0) return "larger than the right one";
+    if (smaller >= least && larger == 0) return "smaller than the right one";
+    return std::nullopt;
+}
+
+}

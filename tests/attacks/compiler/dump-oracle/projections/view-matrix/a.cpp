@@ -1,0 +1,2 @@
+int umbral_red_helper(int x);
+int umbral_red_helper(int x) { return x + 1; }

@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "question/answer_patterns.hpp"
+#include "question/first_pattern.hpp"
+
+// What is plain to see, or is nothing that the student's code did, is not said.
+namespace umbral::grader::test {
+namespace {
+
+using Row = std::vector<double>;
+
+/// Wrong answers with these numbers, of rows of so many numbers.
+AnswerTable wrong_ones(std::size_t components, const std::vector<Row>& yours, const std::vector<Row>& expected)
+{
+    AnswerTable made;
+    made.components = components;
+    for (std::size_t i = 0; i < yours.size(); ++i) made.answers.push_back({yours[i], expected[i], true});
+    return made;
+}
+
+const std::vector<Row> nothing(5);
+
+// Rows of a kind and a number.
+TEST(SillySentences, that_events_are_missing_is_said_with_the_one_that_is)
+{
+    const std::vector<Row> zooms{{3, 1}, {3, 2}, {3, 5}, {3, 1, 3, 4}, {3, 9}};
+    AnswerTable made = wrong_ones(2, nothing, zooms);
+    EXPECT_EQ(first_pattern(made), "is empty") << "rows whose kinds have no names";
+    made.kinds = {{3, "zoom"}, {4, "orbit"}};
+    EXPECT_EQ(first_pattern(made), "lacks \"zoom\"");
+    made.answers[2].expected = {4, 5};
+    EXPECT_EQ(first_pattern(made), "");
+    made = wrong_ones(2, zooms, nothing);
+    made.kinds = {{3, "zoom"}};
+    EXPECT_EQ(first_pattern(made), "has \"zoom\" too often");
+}
+
+TEST(SillySentences, events_that_are_missing_among_others_are_named)
+{
+    std::vector<Row> yours;
+    std::vector<Row> expected;
+    for (double i = 0; i < 5; ++i) {
+        yours.push_back({4, i, 4, i + 1});
+        expected.push_back({4, i, 3, 7 * i, 4, i + 1});
+    }
+    AnswerTable made = wrong_ones(2, yours, expected);
+    made.kinds = {{3, "zoom"}, {4, "orbit"}};
+    EXPECT_EQ(first_pattern(made), "lacks \"zoom\"");
+    made.answers[1].yours = {4, 1, 5, 2};
+    EXPECT_EQ(first_pattern(made), "") << "another one is missing there as well";
+    made.answers[1].yours = {NAN, 1, 4, 2};
+    EXPECT_EQ(first_pattern(made), "");
+}
+
+TEST(SillySentences, the_background_of_a_picture_is_no_answer_that_is_always_given)
+{
+    std::vector<Row> expected;
+    for (double i = 0; i < 6; ++i) expected.push_back({20 + i * i, 30 + 5 * i, i, 255});
+    AnswerTable made = wrong_ones(4, std::vector<Row>(6, Row{10, 12, 21, 255}), expected);
+    made.columns = {"r", "g", "b", "a"};
+    EXPECT_EQ(first_pattern(made), "is (10, 12, 21, 255)");
+    made.picture = true;
+    EXPECT_EQ(first_pattern(made), "");
+}
+
+TEST(SillySentences, that_two_channels_of_a_picture_differ_is_seen)
+{
+    std::vector<Row> yours;
+    std::vector<Row> expected;
+    for (double i = 0; i < 6; ++i) {
+        expected.push_back({50, 30 + 5 * i, 9 + i, 255});
+        yours.push_back({50, 31 + i * i, 7 * i * i, 255});
+    }
+    AnswerTable made = wrong_ones(4, yours, expected);
+    made.columns = {"r", "g", "b", "a"};
+    EXPECT_EQ(first_pattern(made), "differs in nothing but g, b");
+    made.picture = true;
+    EXPECT_EQ(first_pattern(made), "");
+}
+
+TEST(SillySentences, what_a_driver_fills_in_is_not_laid_to_the_student)
+{
+    const double no_number = std::numeric_limits<double>::quiet_NaN();
+    AnswerTable made = wrong_ones(2, std::vector<Row>(5, Row{no_number, no_number}), std::vector<Row>(5, Row{1, 2}));
+    EXPECT_EQ(first_pattern(made), "is not finite");
+    made.several = true;
+    EXPECT_EQ(first_pattern(made), "is no number (NaN), or was not given at all");
+    for (AnswerPair& one : made.answers) one.yours[1] = 3;
+    EXPECT_EQ(first_pattern(made), "is not finite");
+}
+
+TEST(SillySentences, entries_that_a_matrix_shows_are_not_listed)
+{
+    const auto with = [](const std::vector<std::size_t>& wrong) {
+        AnswerTable made;
+        made.components = 16;
+        for (std::size_t i = 0; i < 16; ++i)
+            made.columns.push_back("entry (row " + std::to_string(i % 4) + ", column " + std::to_string(i / 4) + ")");
+        for (int k = 0; k < 6; ++k) {
+            AnswerPair one{{}, {}, true};
+            for (std::size_t i = 0; i < 16; ++i) one.expected.push_back(std::sin(16 * k + static_cast<double>(i)));
+            one.yours = one.expected;
+            for (const std::size_t i : wrong) one.yours[i] = std::cos(99.0 * k + 7 * static_cast<double>(i));
+            made.answers.push_back(one);
+        }
+        return first_pattern(made);
+    };
+    EXPECT_EQ(with({0, 1, 4, 5}), "");
+    EXPECT_EQ(with({1, 4}), "");
+    EXPECT_EQ(with({6}), "differs in entry (row 2, column 1) only");
+    EXPECT_EQ(with({12, 13, 14}), "differs in column 3 only");
+    EXPECT_EQ(with({3, 7, 11}), "differs in row 3 only");
+}
+
+}
+}
