@@ -16,20 +16,26 @@
 namespace umbral::grader {
 namespace {
 
-/// How many questions a case is asked, by what one of them costs: what is tried must take no longer than people wait,
-/// about a second for a case. Structs of many vectors can be misunderstood in hundreds of ways: of them `least` are
-/// asked if that takes `most_seconds` at most, and `fewest` whatever it takes. Pictures cost a hundred times what
-/// numbers do, and say less.
+/// How many questions a case is asked: what is tried must take no longer than people wait, about a second for a case.
+/// Structs of many vectors can be misunderstood in hundreds of ways: of them `least` are asked if that takes
+/// `most_seconds` at most, so that a slow machine finds what a fast one does, and `fewest` whatever it takes. Pictures
+/// cost a hundred times what numbers do, and say less.
 struct Patience {
     double seconds;
     double most_seconds;
     std::size_t fewest;
     std::size_t least;
     std::size_t most;
+
+    /// After so many questions, which took `spent` seconds: may more be asked, which will take `next`?
+    [[nodiscard]] bool allows(std::size_t tried, double spent, double next) const
+    {
+        return tried < fewest || spent + next < seconds || (tried < least && spent + next < most_seconds);
+    }
 };
 constexpr Patience for_numbers{.seconds = 1, .most_seconds = 3, .fewest = 8, .least = 200, .most = 1500};
-constexpr Patience for_pictures{.seconds = 1, .most_seconds = 1, .fewest = 8, .least = 8, .most = 24};
-constexpr std::size_t most_asked_cases = 3;  ///< and others, while half of the time is left
+constexpr Patience for_pictures{.seconds = 1, .most_seconds = 3, .fewest = 8, .least = 24, .most = 24};
+constexpr std::size_t most_asked_cases = 3;  ///< and others, while there is time to find more
 
 /// A case that passes is asked only if it is small and takes no longer than this for all questions: it can speak
 /// against a question, but others do too.
@@ -39,15 +45,17 @@ constexpr double most_passing_seconds = 1;
 /// All questions of a unit together take no longer than this. A changed mesh may make the reference walk round it for
 /// ever, and each such run takes all that it may: rather no reason than one that is waited for.
 constexpr double most_seconds_in_all = 10;
+/// Of that, looking for those that fit. The rest is for asking all cases about them.
+constexpr double most_seconds_to_find = 6;
 
 const Patience& patience_with(const RunOutcome& plain) { return leaves_picture(plain) ? for_pictures : for_numbers; }
 
-std::size_t questions_in_time(const RunOutcome& plain)
+/// How many are asked before it is looked at what that took: as many as there is time for if each took as long as a
+/// run.
+std::size_t questions_in_time(const Patience& patience, const RunOutcome& plain)
 {
-    const Patience& patience = patience_with(plain);
-    const double cost = std::max(plain.cpu_seconds, 1e-4);
-    const double least = std::clamp(patience.most_seconds / cost, double(patience.fewest), double(patience.least));
-    return static_cast<std::size_t>(std::clamp(patience.seconds / cost, least, double(patience.most)));
+    const double runs = patience.most_seconds / std::max(plain.cpu_seconds, 1e-4);
+    return static_cast<std::size_t>(std::clamp(runs, double(patience.fewest), double(patience.most)));
 }
 
 /// Those that a failing check of this case speaks for.
@@ -67,12 +75,13 @@ std::vector<WeighedQuestion> fitting(Worker& worker, const Exercise& exercise, c
             });
         return !known->second;
     });
-    asked.resize(std::min(asked.size(), patience_with(plain).most));
+    const Patience& patience = patience_with(plain);
+    asked.resize(std::min(asked.size(), patience.most));
     // What starting a run takes is no question's: if they cost less than they seem to, there is time for more.
     std::vector<WeighedQuestion> tried;
-    const std::size_t most = questions_in_time(plain);
-    const double until = time.left() - patience_with(plain).seconds;
-    for (double last = 0; tried.size() < asked.size() && (tried.empty() || time.left() - last > until);) {
+    const std::size_t most = questions_in_time(patience, plain);
+    const double start = time.left();
+    for (double last = 0; tried.size() < asked.size() && patience.allows(tried.size(), start - time.left(), last);) {
         const std::size_t first = tried.size();
         const double before = time.left();
         for (std::size_t i = first; i < std::min(first + most, asked.size()); ++i) tried.push_back({asked[i].question});
@@ -86,7 +95,7 @@ std::vector<WeighedQuestion> fitting(Worker& worker, const Exercise& exercise, c
     std::ranges::sort(order, {}, [&](std::size_t i) { return asked[i].declared; });
     for (const std::size_t i : order) {
         found.push_back(std::move(tried[i]));
-        if (asked[i].everywhere) found.push_back({*asked[i].everywhere});
+        if (asked[i].everywhere) found.push_back({*asked[i].everywhere, found.back().tally});
     }
     return found;
 }
@@ -151,6 +160,19 @@ const WeighedQuestion* only_one_for_some(const std::vector<WeighedQuestion>& can
     return is_alone ? best : nullptr;
 }
 
+/// Leaves only as many, the likeliest, as there is time to ask `groups` about, whose runs of the reference tell what
+/// that takes; always one. A slow machine finds fewer reasons than a fast one, but not none.
+void keep_what_time_allows(Worker& worker, const Exercise& exercise, std::span<const CaseChecks> groups,
+                           const SpareTime& time, std::vector<WeighedQuestion>& candidates)
+{
+    double seconds = 1e-3;
+    for (const CaseChecks& group : groups)
+        if (group.failing > 0)
+            seconds += worker.trusted(exercise, Answers::reference, group.name, group.result->seed).cpu_seconds;
+    const auto most = static_cast<std::size_t>(std::max(1.0, time.left() / seconds));
+    if (most < candidates.size()) candidates.resize(most);
+}
+
 /// Those of one function, or of all, whose reason explains most.
 void keep_best_function(std::vector<WeighedQuestion>& candidates)
 {
@@ -205,26 +227,33 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
     if (std::ranges::none_of(asked, [](const CaseChecks& group) { return group.failing > 0; }))
         asked.assign(groups.begin(), groups.end());
     SpareTime time;
-    time.allow(most_seconds_in_all);
+    time.allow(most_seconds_to_find);
     const std::string headers = interface_text(worker, exercise);
     std::vector<WeighedQuestion> candidates;
     std::size_t tried = 0;
     for (const CaseChecks& group : asked) {
         if (group.failing == 0 || !group.result->trouble().empty()) continue;
-        if (tried++ >= most_asked_cases && time.left() < most_seconds_in_all / 2) continue;
+        if (tried++ >= most_asked_cases && time.left() < for_numbers.seconds) continue;
         for (WeighedQuestion& candidate : fitting(worker, exercise, group, headers, time))
             if (std::ranges::find(candidates, candidate.question, &WeighedQuestion::question) == candidates.end())
-                candidates.push_back({std::move(candidate.question)});
+                candidates.push_back(std::move(candidate));
     }
-    std::ranges::stable_sort(candidates, {}, [](const WeighedQuestion& one) { return far_fetched(one.question); });
+    // One that explains many checks of the case in which it was found is tried before one that explains few.
+    std::ranges::stable_sort(candidates, {}, [](const WeighedQuestion& one) {
+        return std::pair(far_fetched(one.question), -confidence(one.tally));
+    });
+    for (WeighedQuestion& one : candidates) one = {std::move(one.question)};
+    time.allow(time.left() + most_seconds_in_all - most_seconds_to_find);
     std::size_t failing = 0;
     for (const CaseChecks& group : asked) failing += group.failing;
     std::size_t undecided = failing;
     std::size_t weighed = 0;
-    for (const CaseChecks& group : asked) {
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        const CaseChecks& group = asked[i];
         undecided -= group.failing;
         if (group.failing == 0 && is_too_long(worker, exercise, group, candidates.size())) continue;
         if (weighed++ == most_asked_cases) keep_first_of_equals(candidates, are_same_kind);
+        keep_what_time_allows(worker, exercise, std::span(asked).subspan(i), time, candidates);
         weigh_all(worker, exercise, group, candidates, time);
         std::erase_if(candidates, [&](const WeighedQuestion& one) {
             return most_confidence(one.tally, undecided) < thresholds::least_sure && !may_explain_some(one, undecided);
