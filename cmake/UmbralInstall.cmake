@@ -51,6 +51,7 @@ foreach(program umbral umbral-spawner umbral-spawner-gl umbral-confine umbral-in
     umbral-debug-gl)
   install(PROGRAMS $<TARGET_FILE:${program}> DESTINATION ${private}/bin ${students})
 endforeach()
+install(PROGRAMS $<TARGET_FILE:umbral-as> DESTINATION ${private}/bin/assembler ${students})
 foreach(library umbral-framework umbral-gl umbral-glfw)
   install(FILES $<TARGET_FILE:${library}> DESTINATION ${private}/lib ${students})
 endforeach()

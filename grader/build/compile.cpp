@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "build/assembler_text.hpp"
 #include "build/compiler_files.hpp"
 #include "build/compiler_text.hpp"
 #include "build/counted.hpp"
@@ -62,11 +63,14 @@ ConfinedCommand compiler_command(const Toolchain& tools, const Exercise& exercis
     command.wall_seconds = busy_machine * command.all_cpu_seconds;
     command.disk_limit = caps::build_folder;
     command.read = compiler_files(tools.compiler);
+    // Without it, compilers take the system's.
+    const fs::path assembler = tools.programs / "assembler" / "as";
+    if (!fs::exists(assembler)) throw std::runtime_error(fmt::format("{} is missing", assembler.string()));
     // Of the unit only the version script: beside it lie the libraries with the answers.
-    for (const fs::path& path :
-         {tools.framework, tools.student_header.parent_path(), unit_folder(tools, exercise.id) / "exports.map"})
+    for (const fs::path& path : {assembler, tools.framework, tools.student_header.parent_path(),
+                                 unit_folder(tools, exercise.id) / "exports.map"})
         command.read.push_back(path.string());
-    command.arguments = {tools.compiler};
+    command.arguments = {tools.compiler, "-B" + assembler.parent_path().string()};
     command.arguments.insert(command.arguments.end(), tools.flags.begin(), tools.flags.end());
     if (exercise.counts_work) command.arguments.emplace_back("-fsanitize-coverage=trace-pc");
     for (const std::string& word : {std::string("-fdiagnostics-color=never"), std::string("-fmax-errors=5"),
@@ -139,8 +143,18 @@ bool takes_too_much_disk(const ConfinedResult& result)
     return result.stopped == Stopped::too_much_disk || outgrew_the_file_limit(result.output);
 }
 
+/// The line in which umbral-as refuses assembler, without the name of the program; nothing if there is none.
+std::string refused_assembler(const std::string& output)
+{
+    const std::size_t place = ("\n" + output).find("\n" + std::string(assembler_refused));
+    if (place == std::string::npos) return {};
+    const std::size_t begin = output.find(": ", place) + 2;
+    return printable(output.substr(begin, output.find('\n', begin) - begin), caps::message);
+}
+
 std::string diagnostics_of(const Toolchain& tools, const ConfinedCommand& command, const ConfinedResult& result)
 {
+    if (std::string refused = refused_assembler(result.output); !refused.empty()) return refused;
     if (ran_out_of_processor_time(tools, result) || result.stopped == Stopped::out_of_wall_time)
         return out_of_time(tools, command);
     if (takes_too_much_disk(result))
@@ -152,6 +166,7 @@ std::string diagnostics_of(const Toolchain& tools, const ConfinedCommand& comman
 
 Outcome outcome_of(const Toolchain& tools, const ConfinedResult& result, const Sources& files)
 {
+    if (!refused_assembler(result.output).empty()) return Outcome::not_allowed;
     if (ran_out_of_processor_time(tools, result) || takes_too_much_disk(result)) return Outcome::too_expensive;
     // What the machine lacks may also show as an error in a student's line.
     const bool is_theirs = linker_refuses_files(result.output) ||

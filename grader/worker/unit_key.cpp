@@ -32,7 +32,7 @@ void add_folder(Sha256& hash, const fs::path& folder)
 }
 
 /// The programs that a result comes from; the engine's and the debugger's are not among them.
-constexpr const char* programs[] = {"umbral",         "umbral-confine",    "umbral-inspect",
+constexpr const char* programs[] = {"umbral",         "umbral-confine",    "umbral-inspect", "assembler/as",
                                     "umbral-spawner", "umbral-spawner-gl", "umbral-unpack"};
 
 /// The programs and libraries of Umbral itself: whatever was built anew may judge or draw otherwise.

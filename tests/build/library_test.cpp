@@ -97,6 +97,18 @@ TEST(Libraries, the_inspector_tells_places)
         inspect(bench.tools(), none, unit_folder(bench.tools(), "raytracing/sphere") / "exports.txt").has_value());
 }
 
+// The compiler's own assembler is no word of the file's, so that nothing but what is assembled tells of it.
+TEST(Libraries, are_made_of_no_assembler_whatever_let_it_in)
+{
+    const Workbench bench;
+    const Built built = bench.build_sphere(
+        "#include <immintrin.h>\n__attribute__((target(\"amx-tile\"))) void tiles() { _tile_release(); }\n" +
+        sphere_with("", ""));
+    EXPECT_EQ(to_string(built.verdict), "forbidden");
+    EXPECT_NE(built.message.find("assembler is not allowed: "), std::string::npos) << built.message;
+    EXPECT_EQ(built.message.find("umbral-as"), std::string::npos) << built.message;
+}
+
 /// Definitions that a student's file may hold, and that must mean nothing to anybody else.
 class Overrides : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
