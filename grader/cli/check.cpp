@@ -17,6 +17,7 @@
 #include "cli/paths.hpp"
 #include "cli/watch.hpp"
 #include "model/one_cpp_file.hpp"
+#include "report/details.hpp"
 #include "report/html/pages.hpp"
 
 namespace umbral::grader {
@@ -53,7 +54,7 @@ std::vector<Exercise> units_to_check(const Application& application, const Check
 
 /// For units with something wrong that nothing explains: how its place can be found. Packages cannot.
 std::string how_to_locate(const Application& application, const std::vector<Exercise>& exercises,
-                          const SubmissionResult& result)
+                          const SubmissionResult& result, const std::string& folder)
 {
     std::string text;
     if (!may_have_finder(application)) return text;
@@ -61,7 +62,8 @@ std::string how_to_locate(const Application& application, const std::vector<Exer
         const auto exercise = std::ranges::find(exercises, unit.id, &Exercise::id);
         const bool wrong = unit.verdict == Verdict::partial || unit.verdict == Verdict::wrong;
         if (wrong && unit.explanations.empty() && exercise != exercises.end() && is_one_cpp_file(*exercise))
-            text += fmt::format("`umbral locate {}` looks for the line of your file that is wrong.\n", exercise->name);
+            text += fmt::format("`umbral locate {}{}` looks for the line of your file that is wrong.\n", exercise->name,
+                                folder_option(folder));
     }
     return text.empty() ? text : "\n" + text;
 }
@@ -86,7 +88,10 @@ int check_once(Application& application, Crew& crew, const std::vector<Exercise>
         fmt::print("{}\n", to_json(result, checked.fingerprint)
                                .dump(indentation, ' ', false, nlohmann::json::error_handler_t::replace));
     } else {
-        fmt::print("{}{}", terminal_report(result, application.style), how_to_locate(application, exercises, result));
+        TerminalStyle style = application.style;
+        style.folder = options.folder;
+        fmt::print("{}{}", terminal_report(result, style),
+                   how_to_locate(application, exercises, result, options.folder));
         if (checked.kept > 0 && !options.watch)
             fmt::print("\n{} of {} unit{} unchanged since the last check, and not run again (--fresh runs all).\n",
                        checked.kept, exercises.size(), exercises.size() == 1 ? "" : "s");

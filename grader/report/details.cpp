@@ -202,29 +202,32 @@ std::string row_option(const UnitResult& unit, const CheckResult& failing)
                        same_case->name == failing.name ? "" : " --value " + shell_word(value));
 }
 
-std::vector<std::string> next_steps(const UnitResult& unit, const CheckResult* failing, const Paint& paint)
+std::vector<std::string> next_steps(const UnitResult& unit, const CheckResult* failing, const std::string& folder,
+                                    const Paint& paint)
 {
     const std::string id = shell_word(unit.id);
+    const std::string in_folder = folder_option(folder);
     std::vector<std::string> steps;
     switch (unit.verdict) {
         case Verdict::grader_fault:
             return {"This is the grader's fault, not yours: please show this report to your instructor."};
         case Verdict::missing:
-            return {fmt::format("umbral reset {}   puts the file to write back in its place", paint.safe(id))};
+            return {fmt::format("umbral reset {}{}   puts the file to write back in its place", paint.safe(id),
+                                paint.safe(in_folder))};
         case Verdict::compile_error:
         case Verdict::interface_mismatch:
-        case Verdict::forbidden: steps.push_back(fmt::format("umbral check {}", id)); break;
+        case Verdict::forbidden: steps.push_back(fmt::format("umbral check {}{}", id, in_folder)); break;
         case Verdict::not_implemented: break;
         default: {
             // To stop at a call that is answered rightly leads nowhere.
             if (failing == nullptr ? std::ranges::any_of(unit.checks, fails) : failing->beside) break;
             const std::string name =
                 failing != nullptr ? shell_word(failing->name.substr(0, failing->name.rfind('/'))) : "";
-            steps.push_back(fmt::format("umbral debug {}{}{}{}", id, name.empty() ? "" : " ", name,
-                                        failing == nullptr ? "" : row_option(unit, *failing)));
+            steps.push_back(fmt::format("umbral debug {}{}{}{}{}", id, name.empty() ? "" : " ", name,
+                                        failing == nullptr ? "" : row_option(unit, *failing), in_folder));
         }
     }
-    steps.push_back(fmt::format("umbral hint {}", id));
+    steps.push_back(fmt::format("umbral hint {}{}", id, in_folder));
     for (std::string& step : steps) step = paint(Tone::strong, paint.safe(step));
     return steps;
 }
@@ -242,7 +245,12 @@ std::string shell_word(std::string_view text)
     return fmt::format("{}'", word);
 }
 
-std::string unit_details(const UnitResult& unit, int width, const Paint& paint)
+std::string folder_option(const std::string& folder)
+{
+    return folder.empty() || folder == "." ? "" : " --dir " + shell_word(folder);
+}
+
+std::string unit_details(const UnitResult& unit, int width, const Paint& paint, const std::string& folder)
 {
     const Verdict verdict = shown_verdict(unit);
     const std::vector<const CheckResult*> failing = failing_checks(unit);
@@ -274,7 +282,7 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint)
         for (std::string& line : lines) line = paint(Tone::quiet, paint.symbol("│ ", "| ")) + line;
         block.labelled("printed", lines);
     }
-    block.labelled("next", next_steps(unit, shown, paint));
+    block.labelled("next", next_steps(unit, shown, folder, paint));
     return result + block.take();
 }
 

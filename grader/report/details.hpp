@@ -7,8 +7,12 @@
 namespace umbral::grader {
 
 /// What a student needs to know about one unit that is not all right, as indented lines, the last ending in a line
-/// break. Expects a unit of without_hidden_values.
-[[nodiscard]] std::string unit_details(const UnitResult& unit, int width, const Paint& paint);
+/// break. Expects a unit of without_hidden_values. `folder` is the workspace that commands name; if it is empty, none.
+[[nodiscard]] std::string unit_details(const UnitResult& unit, int width, const Paint& paint,
+                                       const std::string& folder = "");
+
+/// " --dir work", behind a command that is to be called for this workspace; nothing where one stands in it.
+[[nodiscard]] std::string folder_option(const std::string& folder);
 
 /// "'far away'": an argument that a shell takes as one word.
 [[nodiscard]] std::string shell_word(std::string_view text);

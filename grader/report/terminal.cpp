@@ -194,7 +194,7 @@ std::string terminal_report(const SubmissionResult& submission, const TerminalSt
     text += row(columns, total, " ", paint.bar(total.score, total.max_score, bar_cells, Tone::plain), Tone::strong,
                 Tone::plain, paint);
     for (const UnitResult& unit : shown.units)
-        if (!all_right(unit)) text += unit_details(unit, width, paint);
+        if (!all_right(unit)) text += unit_details(unit, width, paint, style.folder);
     text += curves(shown, width - 2 * margin, paint);
     for (const UnitResult& unit : shown.units)
         for (const std::string& sentence : seeds_of_noise(unit))

@@ -11,6 +11,7 @@ struct TerminalStyle {
     bool color = false;           ///< ANSI colours; what a colour says is always said in words or marks too
     bool unicode = true;          ///< UTF-8 marks and frames; otherwise the whole report is ASCII
     int width = 100;              ///< cells of a line; less than 60 counts as 60
+    std::string folder{};         ///< the workspace, for commands that are proposed; empty: where one stands
     std::string language = "en";  ///< reserved: "en" or "es"
 };
 
