@@ -151,7 +151,7 @@ End too_late(const Limits& limits, bool waited)
     return {Verdict::timeout,
             fmt::format("stopped after {:g} s{}", limits.wall_seconds,
                         waited ? ", in which it hardly computed: does it wait for a lock, an input, or a time to pass?"
-                               : ": is there a loop that never ends?")};
+                               : ": is there a loop that never ends, or far more work than is needed?")};
 }
 
 End ended_early(const protocol::Ended& ended, const Recording& recording, const Limits& limits)

@@ -116,7 +116,7 @@ TEST(NearMisses, are_told_the_nearest_name)
           NearMiss{"validate raytracng", "did you mean `raytracing`?"},
           NearMiss{"validate raytracing", "is a topic, not a unit; its units: raytracing/"},
           NearMiss{"validate raytracng/sphere", "`raytracing/sphere`"}, NearMiss{"hint matrix", "`normal-matrix`"},
-          NearMiss{"hint sphere --dir w", "hint has no option '--dir'; `umbral hint --help`"},
+          NearMiss{"hint sphere --seed 2", "hint has no option '--seed'; `umbral hint --help`"},
           NearMiss{"check --dri w", "did you mean `--dir`?"}, NearMiss{"chekc", "did you mean `check`?"},
           NearMiss{"gradee", "did you mean `grade`?"}}) {
         const Printed printed = umbral(one.arguments);

@@ -61,7 +61,7 @@ TEST(Outcome, a_run_that_waited_is_not_asked_for_an_endless_loop)
     late.timed_out = 1;
     late.cpu_seconds = 4.9;
     EXPECT_EQ(judge_end(late, true, recording(nothing), "", {}).message,
-              "stopped after 5 s: is there a loop that never ends?");
+              "stopped after 5 s: is there a loop that never ends, or far more work than is needed?");
     late.cpu_seconds = 0.2;
     EXPECT_EQ(judge_end(late, true, recording(nothing), "", {}).message,
               "stopped after 5 s, in which it hardly computed: does it wait for a lock, an input, or a time to pass?");
