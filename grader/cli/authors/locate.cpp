@@ -13,6 +13,7 @@
 #include "model/one_cpp_file.hpp"
 #include "mutants/repair_words.hpp"
 #include "mutants/try_repairs.hpp"
+#include "report/details.hpp"
 #include "report/layout.hpp"
 #include "report/paint.hpp"
 
@@ -66,8 +67,8 @@ void print_repair(const Paint& paint, const std::string& file, const std::string
     fmt::print("\n");
 }
 
-/// Where no place was found: what follows from that, if all `changes` were tried.
-void print_no_place(const Exercise& exercise, std::size_t tried, std::size_t changes)
+/// Where no place was found: what follows from that, if all `changes` were tried. `debug` is the command that goes on.
+void print_no_place(const std::string& debug, std::size_t tried, std::size_t changes)
 {
     if (tried < changes)
         fmt::print(
@@ -79,17 +80,17 @@ void print_no_place(const Exercise& exercise, std::size_t tried, std::size_t cha
             "None of the {} small changes of one place that are tried makes a wrong check right: it takes another one, "
             "or more than one.\n",
             tried);
-    fmt::print("`umbral debug {}` stops where it first goes wrong.\n", exercise.name);
+    fmt::print("`{}` stops where it first goes wrong.\n", debug);
 }
 
-void print_search(const Paint& paint, const Exercise& exercise, const BuiltWork& work, const RepairSearch& search,
+void print_search(const Paint& paint, const std::string& debug, const BuiltWork& work, const RepairSearch& search,
                   std::size_t changes, bool show)
 {
     const auto& [file, source] = *work.files.begin();
     const std::size_t shown = std::min(search.repairs.size(), most_places);
     for (std::size_t i = 0; i < shown; ++i)
         print_repair(paint, file, source, search.repairs[i], search.wrong.size(), show);
-    if (search.repairs.empty()) print_no_place(exercise, search.tried, changes);
+    if (search.repairs.empty()) print_no_place(debug, search.tried, changes);
     if (search.repairs.size() > 1) {
         const bool is_enough = search.repairs.front().mends.size() == search.wrong.size();
         fmt::print("{}; {} places were found.\n",
@@ -101,16 +102,15 @@ void print_search(const Paint& paint, const Exercise& exercise, const BuiltWork&
 
 /// The student's file with every change that is tried.
 BuiltMutants changed_ways(const Toolchain& tools, const Exercise& exercise, const std::filesystem::path& finder,
-                          const BuiltWork& work, const std::filesystem::path& folder)
+                          const BuiltWork& work, const std::string& debug, const std::filesystem::path& folder)
 {
     try {
         return build_mutants(tools, exercise, MutantFamily::repairs, finder, work.files.begin()->second, folder);
     } catch (const NotMutable& error) {
         throw UsageError(
             fmt::format("no changes of your file can be tried, which is too long or nested too deep for that: "
-                        "{}\n`umbral debug {}` "
-                        "stops where it first goes wrong",
-                        error.what(), exercise.name));
+                        "{}\n`{}` stops where it first goes wrong",
+                        error.what(), debug));
     }
 }
 
@@ -121,6 +121,7 @@ void locate(Application& application, LocateOptions options)
     if (!is_one_cpp_file(exercise))
         throw UsageError(fmt::format("{} is not one C++ file: umbral debug runs a case of it", exercise.id));
     const BuiltWork work = built_work(application, exercise, options.folder);
+    const std::string debug = fmt::format("umbral debug {}{}", exercise.name, folder_option(options.folder));
     if (equals_stub(work.files, exercise)) {
         fmt::print("{} is the stub as it was: there is nothing to look for yet.\n", exercise.id);
         application.exit_status = exit_not_right;
@@ -129,7 +130,7 @@ void locate(Application& application, LocateOptions options)
     const std::filesystem::path finder = have_finder(application, "locate finds changes");
     const auto began = std::chrono::steady_clock::now();
     const ScratchFolder scratch(application.tools.cache);
-    const BuiltMutants built = changed_ways(application.tools, exercise, finder, work, scratch.path());
+    const BuiltMutants built = changed_ways(application.tools, exercise, finder, work, debug, scratch.path());
     Crew crew(application.tools, options.jobs);
     const auto passed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(); };
     const RepairSearch search =
@@ -141,7 +142,7 @@ void locate(Application& application, LocateOptions options)
     application.exit_status = exit_not_right;
     const double seconds = passed();
     const Paint paint(application.style);
-    print_search(paint, exercise, work, search, built.mutants.size(), options.show);
+    print_search(paint, debug, work, search, built.mutants.size(), options.show);
     fmt::print("{}\n", paint(Tone::quiet, fmt::format("{} of {} changes tried on inputs of two seeds, {:.0f} s",
                                                       search.tried, built.mutants.size(), seconds)));
 }
