@@ -120,7 +120,7 @@ AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_
     answers.keys = judge_of(check).keys;
     answers.columns = names_of_columns(check, expected.names, answers.components);
     answers.picture = is_picture(check);
-    if (const auto kinds = judge_of(check).kinds) answers.kinds = kinds(text_of(expected.names));
+    if (const auto kinds = judge_of(check).kinds) answers.kinds = kinds(text_of(expected.names), answers.components);
     const RunOutcome& student = asked.runs.plain(seed);
     if (student.verdict != Verdict::ok) return answers;
     const Tensor* yours = observed(check, student);

@@ -44,7 +44,7 @@ struct AskedAnswers {
     bool optional = false;               ///< an answer may be that there is none
     bool picture = false;                ///< they are the cells of a picture or a buffer
     /// Where rows are events: what they are called, by their first number.
-    std::map<double, std::string> kinds{};
+    std::map<double, NamedRows> kinds{};
 };
 
 /// The answers with the inputs of a seed: row by row where rows are compared so, else, where their number is free or

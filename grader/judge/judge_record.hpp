@@ -15,6 +15,7 @@
 #include "judge/explain/confidence.hpp"
 #include "judge/judge.hpp"
 #include "model/caps.hpp"
+#include "model/named_rows.hpp"
 
 namespace umbral {
 class Field;
@@ -109,7 +110,7 @@ struct JudgeRecord {
     /// its own. Null: as columns.hpp says, or nothing where rows are free.
     std::vector<std::string> (*columns)(std::string_view names, std::size_t components) = nullptr;
     /// What kinds of rows are called, by the code that they begin with: "zoom" for 3. Null: there are no kinds.
-    std::map<double, std::string> (*kinds)(std::string_view names) = nullptr;
+    std::map<double, NamedRows> (*kinds)(std::string_view names, std::size_t components) = nullptr;
     const RowKind& (*rows)() = nullptr;                     ///< how single rows are compared; null: as rows of numbers
     std::vector<NamedTransform> (*transforms)() = nullptr;  ///< those that are tried on its results first
     std::optional<double> (*likeness)(const Tensor& student,

@@ -11,11 +11,13 @@
 #include <span>
 
 #include "question/alike.hpp"
+#include "question/answer_columns.hpp"
 #include "question/answer_places.hpp"
 #include "question/answer_relations.hpp"
 #include "question/list_patterns.hpp"
 #include "question/nearly_right.hpp"
 #include "question/number_changes.hpp"
+#include "question/wrong_numbers.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -91,63 +93,6 @@ void add_constant(const Pairs& wrong, std::vector<AnswerPattern>& found)
     if (wrong.front()->yours.size() > most_numbers || wrong.front()->yours.empty()) return;
     if (all_equal(wrong, &AnswerPair::yours) && !all_equal(wrong, &AnswerPair::expected))
         found.push_back({"is " + in_words(wrong.front()->yours), CommonTells::constant});
-}
-
-/// Numbers of all wrong answers beside the right ones.
-struct NumberPairs {
-    std::vector<double> yours;
-    std::vector<double> right;
-};
-
-NumberPairs numbers_in(const Pairs& wrong, std::size_t components, std::size_t component)
-{
-    NumberPairs numbers;
-    for (const AnswerPair* one : wrong)
-        for (std::size_t at = component; at < one->yours.size(); at += components) {
-            numbers.yours.push_back(one->yours[at]);
-            numbers.right.push_back(one->expected[at]);
-        }
-    return numbers;
-}
-
-NumberPairs numbers_in(const Pairs& wrong, std::size_t components, const std::vector<std::size_t>& which)
-{
-    NumberPairs all;
-    for (const std::size_t component : which) {
-        const NumberPairs some = numbers_in(wrong, components, component);
-        all.yours.insert(all.yours.end(), some.yours.begin(), some.yours.end());
-        all.right.insert(all.right.end(), some.right.begin(), some.right.end());
-    }
-    return all;
-}
-
-/// Where each answer is one row: which question it answers.
-std::vector<std::size_t> questions_of(const AnswerTable& table, const Pairs& wrong)
-{
-    std::vector<std::size_t> questions;
-    for (const AnswerPair* one : wrong)
-        if (one->yours.size() == table.components)
-            questions.push_back(static_cast<std::size_t>(one - table.answers.data()));
-    if (questions.size() != wrong.size()) questions.clear();
-    return questions;
-}
-
-/// What each wrong number in this place of a row is: "the right one plus 1".
-std::optional<AnswerPattern> change_of(const AnswerTable& table, const Pairs& wrong, std::size_t component)
-{
-    NumberPairs pairs = numbers_in(wrong, table.components, component);
-    if (auto change = change_of_numbers(pairs.yours, pairs.right)) return change;
-    const WrongNumbers numbers{std::move(pairs.yours), std::move(pairs.right), questions_of(table, wrong)};
-    if (!numbers.questions.empty())
-        if (auto relation = relation_of(numbers, table.facts)) return AnswerPattern{*std::move(relation)};
-    for (std::size_t other = 0; other < std::min(table.components, table.columns.size()); ++other) {
-        if (other == component) continue;
-        const std::vector<double> right = numbers_in(wrong, table.components, other).right;
-        if (const auto sign = sign_between(numbers.yours, right))
-            return AnswerPattern{
-                fmt::format("the right {}{}", table.columns[other], *sign > 0 ? "" : " with the opposite sign")};
-    }
-    return std::nullopt;
 }
 
 /// So many numbers of each row, from this one on, as vectors; none where an answer is not one row.
@@ -237,8 +182,9 @@ void add_side(const AnswerTable& table, const Pairs& wrong, const std::vector<st
 void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<AnswerPattern>& found)
 {
     const std::vector<std::size_t> which = wrong_components(wrong, table.components);
-    const auto change = which.size() == 1 ? change_of(table, wrong, which.front()) : std::nullopt;
-    const std::string place = table.components == 1 ? "" : place_of(table, which);
+    const std::vector<std::string> columns = columns_of_wrong_rows(table, wrong);
+    const auto change = which.size() == 1 ? change_of(table, wrong, which.front(), columns) : std::nullopt;
+    const std::string place = table.components == 1 ? "" : place_of(table, which, columns);
     if (which.size() > 1 && table.components <= 4) {
         WrongVectors vectors = wrong_vectors(table, wrong, 0, table.components);
         if (table.columns.size() == table.components) vectors.names = table.columns;
@@ -246,6 +192,9 @@ void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<An
     }
     if (which.size() > 1) add_matrix_columns(table, wrong, which, found);
     if (which.size() > 1) add_change_of_all(table, wrong, which, place, found);
+    if (which.size() > 1 && !place.empty())
+        if (const auto other = of_another_name(table, wrong, which, columns))
+            found.push_back({fmt::format("{}, which is {}", place, *other)});
     if (change && table.components == 1) found.push_back({"is " + change->words, change->tells});
     if (change && !place.empty()) found.push_back({fmt::format("{}, which is {}", place, change->words)});
     if (are_nearly_right(table, wrong))
@@ -266,7 +215,8 @@ std::vector<AnswerPattern> answer_patterns(const AnswerTable& table)
     if (wrong.size() < least_wrong) {
         // Of so few anything may be true, but that the same numbers of a row are wrong is what is seen.
         if (wrong.size() < 2 || !can_be_compared(wrong)) return found;
-        const std::string place = place_of(table, wrong_components(wrong, table.components));
+        const std::string place =
+            place_of(table, wrong_components(wrong, table.components), columns_of_wrong_rows(table, wrong));
         if (!place.empty()) found.push_back({place, CommonTells::place});
         return found;
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/named_rows.hpp"
 #include "question/answer_pattern.hpp"
 #include "question/facts.hpp"
 
@@ -26,7 +27,7 @@ struct AnswerTable {
     std::vector<Fact> facts{};  ///< what is told of the questions, in the same order; may be empty
     bool picture = false;       ///< the answers are a picture's cells: what is equal in many of them is its background
     bool several = false;       ///< a question has several of them: the driver, too, may say that one is missing
-    std::map<double, std::string> kinds{};  ///< of lists of events: what the first number of a row means
+    std::map<double, NamedRows> kinds{};  ///< of lists of events: what the first number of a row means
 };
 
 /// What is said where nothing was answered, in words that follow "every wrong answer".

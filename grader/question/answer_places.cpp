@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "question/alike.hpp"
+#include "question/answer_columns.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -48,21 +49,26 @@ std::vector<std::size_t> wrong_components(const std::vector<const AnswerPair*>& 
     return found;
 }
 
-std::string place_of(const AnswerTable& table, const std::vector<std::size_t>& which)
+std::string place_of(const AnswerTable& table, const std::vector<std::size_t>& which,
+                     const std::vector<std::string>& columns)
 {
     if (which.empty() || which.size() > most_named || 2 * which.size() > table.components - table.keys) return "";
     if (which.size() > 1) {
         if (table.picture) return "";
         // Nobody can count along a row whose numbers have no names, and that begins with what is no number of its own.
-        if (table.keys > 0 && table.columns.empty()) return "";
+        if (table.keys > 0 && columns.empty()) return "";
         if (is_matrix(table)) {
             const std::string line = line_of_matrix(table.components, which);
             return line.empty() ? "" : fmt::format("differs in {} only", line);
         }
     }
+    for (const NumbersTogether& group : together(columns))
+        if (which.size() > 1 && group.size == which.size() && group.first == which.front() &&
+            which.back() - which.front() == group.size - 1)
+            return fmt::format("differs in {} only", group.name);
     std::vector<std::string> names;
     for (const std::size_t i : which)
-        names.push_back(i < table.columns.size()            ? table.columns[i]
+        names.push_back(i < columns.size()                  ? columns[i]
                         : table.keys > 0 && i >= table.keys ? fmt::format("its number {}", i - table.keys + 1)
                                                             : fmt::format("number {}", i));
     return which.size() == 1 ? fmt::format("differs in {} only", names.front())

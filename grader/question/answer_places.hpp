@@ -13,8 +13,9 @@ namespace umbral::grader {
 [[nodiscard]] std::vector<std::size_t> wrong_components(const std::vector<const AnswerPair*>& wrong,
                                                         std::size_t components);
 
-/// Where a row is wrong, of the components that are: "differs in y only", "differs in column 3 only". Empty if most of
-/// what it says is, or if the one row that is shown says it as well.
-[[nodiscard]] std::string place_of(const AnswerTable& table, const std::vector<std::size_t>& which);
+/// Where a row is wrong, of the components that are, by what its columns are called: "differs in y only", "differs in
+/// column 3 only". Empty if most of what it says is, or if the one row that is shown says it as well.
+[[nodiscard]] std::string place_of(const AnswerTable& table, const std::vector<std::size_t>& which,
+                                   const std::vector<std::string>& columns);
 
 }

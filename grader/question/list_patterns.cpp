@@ -81,7 +81,7 @@ std::vector<std::string> kind_patterns(const AnswerTable& table, const std::vect
     }
     const auto name = [&](const std::optional<double>& kind) {
         const auto found = kind ? table.kinds.find(*kind) : table.kinds.end();
-        return found == table.kinds.end() ? std::string() : found->second;
+        return found == table.kinds.end() ? std::string() : found->second.name;
     };
     if (lacks && !name(lacking).empty()) return {fmt::format("lacks \"{}\"", name(lacking))};
     if (has && !name(too_often).empty()) return {fmt::format("has \"{}\" too often", name(too_often))};

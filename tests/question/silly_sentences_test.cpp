@@ -29,12 +29,12 @@ TEST(SillySentences, that_events_are_missing_is_said_with_the_one_that_is)
     const std::vector<Row> zooms{{3, 1}, {3, 2}, {3, 5}, {3, 1, 3, 4}, {3, 9}};
     AnswerTable made = wrong_ones(2, nothing, zooms);
     EXPECT_EQ(first_pattern(made), "is empty") << "rows whose kinds have no names";
-    made.kinds = {{3, "zoom"}, {4, "orbit"}};
+    made.kinds = {{3, {"zoom"}}, {4, {"orbit"}}};
     EXPECT_EQ(first_pattern(made), "lacks \"zoom\"");
     made.answers[2].expected = {4, 5};
     EXPECT_EQ(first_pattern(made), "");
     made = wrong_ones(2, zooms, nothing);
-    made.kinds = {{3, "zoom"}};
+    made.kinds = {{3, {"zoom"}}};
     EXPECT_EQ(first_pattern(made), "has \"zoom\" too often");
 }
 
@@ -47,7 +47,7 @@ TEST(SillySentences, events_that_are_missing_among_others_are_named)
         expected.push_back({4, i, 3, 7 * i, 4, i + 1});
     }
     AnswerTable made = wrong_ones(2, yours, expected);
-    made.kinds = {{3, "zoom"}, {4, "orbit"}};
+    made.kinds = {{3, {"zoom"}}, {4, {"orbit"}}};
     EXPECT_EQ(first_pattern(made), "lacks \"zoom\"");
     made.answers[1].yours = {4, 1, 5, 2};
     EXPECT_EQ(first_pattern(made), "") << "another one is missing there as well";

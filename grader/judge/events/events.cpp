@@ -1,6 +1,7 @@
 #include "judge/events/events.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -144,23 +145,27 @@ std::map<double, std::string> event_names(std::string_view lines)
     return names;
 }
 
-std::map<double, std::string> event_kinds(std::string_view lines)
+std::map<double, NamedRows> event_kinds(std::string_view lines, std::size_t components)
 {
-    std::map<double, std::string> kinds = event_names(lines);
-    for (auto& [code, name] : kinds) name.resize(std::min(name.find(": "), name.size()));
+    std::map<double, NamedRows> kinds;
+    for (const auto& [code, name] : event_names(lines)) {
+        const std::size_t colon = std::min(name.find(": "), name.size());
+        NamedRows& kind = kinds[code] = {name.substr(0, colon)};
+        if (colon == name.size() || components == 0) continue;
+        kind.columns = column_names(std::string_view(name).substr(colon + 2), components - 1, "");
+        kind.columns.insert(kind.columns.begin(), "the kind of event");
+        if (kind.columns.size() != components) kind.columns.clear();
+    }
     return kinds;
 }
 
 std::vector<std::string> event_columns(std::string_view names, std::size_t components)
 {
     std::vector<std::string> all;
-    for (const auto& [code, name] : event_names(names)) {
-        const std::size_t colon = name.find(": ");
-        if (colon == std::string::npos || components == 0) continue;
-        std::vector<std::string> columns = column_names(std::string_view(name).substr(colon + 2), components - 1, "");
-        columns.insert(columns.begin(), "the kind of event");
-        if (columns.size() != components || (!all.empty() && columns != all)) return {};
-        all = std::move(columns);
+    for (const auto& [code, kind] : event_kinds(names, components)) {
+        if (kind.columns.empty()) continue;
+        if (!all.empty() && kind.columns != all) return {};
+        all = kind.columns;
     }
     return all;
 }
@@ -178,25 +183,55 @@ EventWriter::EventWriter(const TensorView& expected, std::string_view names)
         used_[expected.cell(i)[0]] = std::max(used_[expected.cell(i)[0]], significant(expected.cell(i)));
 }
 
+std::vector<std::string> EventWriter::parts(std::span<const double> event, int digits) const
+{
+    std::vector<std::string> all;
+    const auto kind = kinds_.find(event[0]);
+    if (kind != kinds_.end() && !kind->second.columns.empty()) {
+        for (const ColumnGroup& group : kind->second.columns) {
+            std::string& text = all.emplace_back(group.name);
+            for (std::size_t i = 0; i < group.size; ++i) text += " " + number_text(event[1 + group.first + i], digits);
+        }
+        return all;
+    }
+    const auto used = used_.find(event[0]);
+    const std::size_t size = std::max(significant(event), used == used_.end() ? 1 : used->second);
+    for (std::size_t i = 1; i < size; ++i) all.push_back(number_text(event[i], digits));
+    return all;
+}
+
+std::string EventWriter::with_parts(std::span<const double> event, const std::vector<std::string>& parts) const
+{
+    const auto kind = kinds_.find(event[0]);
+    const std::string name =
+        kind != kinds_.end() ? kind->second.name : fmt::format("event of code {}", number_text(event[0]));
+    return parts.empty() ? name : fmt::format("{} ({})", name, fmt::join(parts, ", "));
+}
+
 std::string EventWriter::operator()(std::span<const double> event, int digits) const
 {
     if (!std::isfinite(event[0])) return "an event whose code is no number";
-    const auto kind = kinds_.find(event[0]);
-    std::string text =
-        kind != kinds_.end() ? kind->second.name : fmt::format("event of code {}", number_text(event[0]));
-    std::size_t count = 0;
-    const auto separator = [&] { return count++ == 0 ? " (" : ", "; };
-    if (kind != kinds_.end() && !kind->second.columns.empty()) {
-        for (const ColumnGroup& group : kind->second.columns) {
-            text += separator() + group.name;
-            for (std::size_t i = 0; i < group.size; ++i) text += " " + number_text(event[1 + group.first + i], digits);
-        }
-    } else {
-        const auto used = used_.find(event[0]);
-        const std::size_t size = std::max(significant(event), used == used_.end() ? 1 : used->second);
-        for (std::size_t i = 1; i < size; ++i) text += separator() + number_text(event[i], digits);
+    return with_parts(event, parts(event, digits));
+}
+
+std::pair<std::string, std::string> EventWriter::beside(std::span<const double> one, std::span<const double> other,
+                                                        int digits) const
+{
+    constexpr std::size_t few = 4;
+    const auto kind = kinds_.find(one[0]);
+    const bool has_names = kind != kinds_.end() && kind->second.columns.size() > few;
+    if (!has_names || one[0] != other[0]) return {(*this)(one, digits), (*this)(other, digits)};
+    const std::vector<std::string> mine = parts(one, digits);
+    const std::vector<std::string> its = parts(other, digits);
+    std::vector<std::string> shown_mine;
+    std::vector<std::string> shown_its;
+    for (std::size_t i = 0; i < mine.size(); ++i) {
+        const bool is_left_out = i > 0 && mine[i] == its[i];
+        if (is_left_out && shown_mine.back() == "…") continue;
+        shown_mine.push_back(is_left_out ? "…" : mine[i]);
+        shown_its.push_back(is_left_out ? "…" : its[i]);
     }
-    return count > 0 ? text + ")" : text;
+    return {with_parts(one, shown_mine), with_parts(other, shown_its)};
 }
 
 Alignment align_events(const Check& check, const TensorView& a, const TensorView& b)
@@ -232,6 +267,8 @@ Judgement judge_events(const Check& check, const Tensor& student, const Tensor& 
 
     const EventWriter write(expected, text_of(names));
     const auto [came, wanted] = telling_apart([&](int digits) {
+        if (gap->surplus > 0 && gap->lost > 0)
+            return write.beside(yours.cell(gap->yours), expected.cell(gap->expected), digits);
         return std::pair(gap->surplus > 0 ? write(yours.cell(gap->yours), digits) : "nothing",
                          gap->lost > 0 ? write(expected.cell(gap->expected), digits) : "nothing");
     });
@@ -240,9 +277,11 @@ Judgement judge_events(const Check& check, const Tensor& student, const Tensor& 
                                             wanted, gap->lost > 0 ? std::optional(gap->expected) : std::nullopt};
     judgement.message = fmt::format("row {}: ", gap->expected);
     judgement.message += in_words({check.tolerance, yours, expected, alignment, *gap}, came, wanted);
-    judgement.message +=
-        fmt::format(" ({} of {} expected events are right, {}{} of yours {} too much)", matched, expected.cells(),
-                    alignment.best ? "" : "about ", surplus, surplus == 1 ? "is" : "are");
+    judgement.message += fmt::format(" ({} of {} expected events are right", matched, expected.cells());
+    if (surplus > 0)
+        judgement.message += fmt::format("; {}{} that came {} not expected", alignment.best ? "" : "about ", surplus,
+                                         surplus == 1 ? "is" : "are");
+    judgement.message += ")";
     return judgement;
 }
 

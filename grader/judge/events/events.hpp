@@ -11,14 +11,15 @@
 #include "judge/rows/columns.hpp"
 #include "judge/rows/tensor_view.hpp"
 #include "model/exercise.hpp"
+#include "model/named_rows.hpp"
 
 namespace umbral::grader {
 
 /// Names of event codes, or of other things that are counted, from lines such as "3 zoom"; other lines are passed over.
 [[nodiscard]] std::map<double, std::string> event_names(std::string_view lines);
 
-/// The same without what follows a colon: "zoom" of "3 zoom: centre/2, factor".
-[[nodiscard]] std::map<double, std::string> event_kinds(std::string_view lines);
+/// The same without what follows a colon, "zoom" of "3 zoom: centre/2, factor", which says what the numbers are called.
+[[nodiscard]] std::map<double, NamedRows> event_kinds(std::string_view lines, std::size_t components);
 
 /// Writes events with their names, and their numbers with theirs: "zoom (centre 2 0.5, factor 3)" where the line of
 /// that code is "3 zoom: centre/2, factor". Numbers without a name are left out if there are names; where there are
@@ -29,11 +30,20 @@ public:
 
     [[nodiscard]] std::string operator()(std::span<const double> event, int digits = usual_digits) const;
 
+    /// Both, the second one beside the first. Of two of a kind that hold many names, what is equal is left out, but for
+    /// the first: "an object (name 10, …, specular 0 0 0, …)".
+    [[nodiscard]] std::pair<std::string, std::string> beside(std::span<const double> one, std::span<const double> other,
+                                                             int digits) const;
+
 private:
     struct Kind {
         std::string name;
         std::vector<ColumnGroup> columns;
     };
+
+    /// Numbers of an event that are shown together, "specular 0 0 0".
+    [[nodiscard]] std::vector<std::string> parts(std::span<const double> event, int digits) const;
+    [[nodiscard]] std::string with_parts(std::span<const double> event, const std::vector<std::string>& parts) const;
 
     std::map<double, Kind> kinds_;
     std::map<double, std::size_t> used_;
