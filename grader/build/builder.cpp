@@ -192,11 +192,40 @@ Built without_unused_code(const Toolchain& tools, const Exercise& exercise, cons
     return built;
 }
 
+/// A copy that was put aside in the same folder, as "sphere_old.cpp", defines what the unit's own file does: the first
+/// file beside the unit's own without which the rest compiles is left out, and the message says so. Nothing if that is
+/// not what is wrong, or if there are many such files.
+std::optional<Built> without_a_copy(const Toolchain& tools, const Exercise& exercise, const Sources& files,
+                                    const ScratchFolder& work, const Compilation& refused)
+{
+    constexpr std::size_t most_tried = 3;
+    if (refused.diagnostics.find("duplicate symbol") == std::string::npos) return std::nullopt;
+    std::vector<std::string> beside;
+    for (const auto& [name, text] : files)
+        if (name.ends_with(".cpp") && std::ranges::find(exercise.files, name) == exercise.files.end())
+            beside.push_back(name);
+    if (beside.size() > most_tried) return std::nullopt;
+    for (const std::string& copy : beside) {
+        for (const auto& entry : fs::directory_iterator(work.path())) fs::remove_all(entry.path());
+        Sources others = files;
+        others.erase(copy);
+        const Compilation compilation = compile(tools, exercise, others, work.path());
+        Built built;
+        if (!compilation.library || !look_at(tools, exercise, *compilation.library, built)) continue;
+        if (built.verdict == Verdict::ok)
+            built.message = fmt::format("{} was left out: it defines what another of your files defines, too\n{}", copy,
+                                        compilation.diagnostics);
+        return built;
+    }
+    return std::nullopt;
+}
+
 Built compile_fresh(const Toolchain& tools, const Exercise& exercise, const Sources& files, const ScratchFolder& work)
 {
     Built built;
     const Compilation compilation = compile_surely(tools, exercise, files, work);
     if (!compilation.library) {
+        if (auto without = without_a_copy(tools, exercise, files, work, compilation)) return *std::move(without);
         built.verdict =
             compilation.outcome == Compilation::Outcome::not_allowed ? Verdict::forbidden : Verdict::compile_error;
         built.message = compilation.diagnostics;

@@ -30,12 +30,22 @@ void refuse_empty(std::span<char* const> words)
     }
 }
 
-void refuse_unknown_command(const std::vector<std::string>& known, std::span<char* const> words)
+/// `umbral help check` is what other programs have for `umbral check --help`.
+std::vector<char*> in_place_of_help(std::span<char* const> given)
 {
-    if (words.size() < 2 || *words[1] == '-') return;
-    if (std::ranges::find(known, words[1]) != known.end()) return;
-    throw UsageError("there is no command '" + std::string(words[1]) + "'" + did_you_mean(nearest(words[1], known)) +
-                     " `umbral --help` shows them all");
+    std::vector<char*> words(given.begin(), given.end());
+    if (words.empty() || std::string_view(words.front()) != "help") return words;
+    words.erase(words.begin());
+    words.push_back(const_cast<char*>("--help"));
+    return words;
+}
+
+void refuse_unknown_command(const std::vector<std::string>& known, std::span<char* const> given)
+{
+    if (given.empty() || *given.front() == '-') return;
+    if (std::ranges::find(known, given.front()) != known.end()) return;
+    throw UsageError("there is no command '" + std::string(given.front()) + "'" +
+                     did_you_mean(nearest(given.front(), known)) + " `umbral --help` shows them all");
 }
 
 /// Whether a path is one that the call names, or lies below one.
@@ -65,7 +75,7 @@ const ListedCommand* command_elsewhere(std::span<char* const> words, std::span<c
 
 int run(std::span<char* const> words, std::span<const ListedCommand> commands)
 {
-    const std::span<char* const> given = words.subspan(std::min<std::size_t>(words.size(), 1));
+    const std::vector<char*> given = in_place_of_help(words.subspan(std::min<std::size_t>(words.size(), 1)));
     // Before all else: the other program reads the units itself, and is as strict with the words.
     if (const ListedCommand* const command = command_elsewhere(given, commands)) {
         const Application where = make_application_without_units();
@@ -87,7 +97,7 @@ int run(std::span<char* const> words, std::span<const ListedCommand> commands)
         if (one.add != nullptr) one.add(command, application);
     }
     refuse_empty(words);
-    refuse_unknown_command(line.commands(), words);
+    refuse_unknown_command(line.commands(), given);
     if (const std::string complaint = line.run(given); !complaint.empty()) {
         say(complaint);
         return exit_usage;

@@ -67,6 +67,16 @@ std::string why_not_read(const SubmittedFiles& submitted, const Exercise& exerci
     return best == nullptr ? "" : fmt::format("{}: {}", one_line(best->path), best->reason);
 }
 
+/// The first of many names, and how many there are beside them.
+std::string some_of(std::vector<std::string> names)
+{
+    constexpr std::size_t most = 2;
+    if (names.size() <= most + 1) return listed(names);
+    const std::size_t left = names.size() - most;
+    names.resize(most);
+    return fmt::format("{} and {} other places", listed(names), left);
+}
+
 /// Enters what was found for one file.
 void enter(const Found& found, const SubmittedFiles& submitted, const Exercise& exercise, Handed& handed)
 {
@@ -80,7 +90,7 @@ void enter(const Found& found, const SubmittedFiles& submitted, const Exercise& 
             handed.notes.push_back(fmt::format("{}: taken from {}", name, one_line(choice.chosen->path)));
         if (!choice.others.empty())
             handed.notes.push_back(
-                fmt::format("{}: something else stands in {}, which does not count", name, listed(choice.others)));
+                fmt::format("{}: something else stands in {}, which does not count", name, some_of(choice.others)));
     } else if (!choice.others.empty()) {
         refuse(fmt::format(
             "{}: {} different files could be it ({}), so none was taken: hand in only one of them, or put it in {}/{}",

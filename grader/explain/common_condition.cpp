@@ -22,6 +22,7 @@ constexpr std::size_t least_elsewhere = 4;  ///< questions of another case that 
 constexpr double most_against = 0.1;        ///< … and their share of those on that side
 constexpr std::size_t least_denying = 16;   ///< wrong answers of another case that do not share what is told of these
 constexpr std::size_t most_denying = 4;     ///< cases that are asked for it
+constexpr std::size_t many_others = 3;      ///< numbers that part questions as the one does that is told of
 constexpr double most_common_seconds = 3;   ///< of one check, for fresh inputs
 
 bool has_both(const std::vector<bool>& wrong, std::size_t least)
@@ -134,16 +135,17 @@ std::optional<CommonCondition> condition_of(OtherCases& others, Samples& samples
     if (seen.numbers.empty()) return std::nullopt;
     std::optional<Condition> condition = simplest_condition(seen.facts, seen.wrong);
     if (!condition) return std::nullopt;
+    // Each of so many numbers may be the reason, or none.
+    if (condition->also_told_by.size() >= many_others) return std::nullopt;
+    // That one of the many entries of a right matrix is 0 follows from much else.
+    if (condition->of_answer && samples.seen().answers.components > most_in_vector) return std::nullopt;
     const bool fixed = samples.is_fixed();
-    // Where a case asks the same at every desk, nothing can say that the bound is more than a number between them, nor
-    // that one of the many entries of a right matrix has more to do with it than another.
-    const bool by_chance =
-        condition->fitted || (condition->of_answer && samples.seen().answers.components > most_in_vector);
     // Between few questions a bound can be put almost anywhere.
     if (condition->fitted && !has_both(seen.wrong, least_of_fixed)) return std::nullopt;
     const bool exact = has_both(seen.wrong, least_of_fixed) && condition->right_where == 0 &&
                        condition->wrong_where == condition->wrong;
-    if (fixed && (by_chance || !exact)) return std::nullopt;
+    // Where a case asks the same at every desk, nothing can say that the bound is more than a number between them.
+    if (fixed && (condition->fitted || !exact)) return std::nullopt;
     const Confirmed confirmed = confirmed_by(*condition, samples, of);
     if (confirmed == Confirmed::no || (confirmed == Confirmed::untried && !fixed)) return std::nullopt;
     // What is said of that alone is what the answers are, and these are looked for elsewhere.
@@ -161,6 +163,14 @@ std::optional<CommonCondition> common_condition(OtherCases& others, Samples& sam
     return found ? found : condition_of(others, samples, &AskedSample::by_answer);
 }
 
+/// The same answers, their numbers called as in `named`: the same is said of them in the same words.
+AnswerTable named_as(const AnswerTable& named, AnswerTable answers)
+{
+    answers.columns = named.columns;
+    answers.kinds = named.kinds;
+    return answers;
+}
+
 /// Keeps the patterns that many wrong answers of other cases have, too: what is so in one case only may come of its
 /// inputs.
 void keep_shared(OtherCases& others, const AskedSample& here, std::vector<AnswerPattern>& patterns)
@@ -172,7 +182,7 @@ void keep_shared(OtherCases& others, const AskedSample& here, std::vector<Answer
             return true;
         // What overflows, or is not there, says nothing of what numbers are.
         if (are_comparable(here.answers) && !are_comparable(sample.answers)) return true;
-        const std::vector<AnswerPattern> there = answer_patterns(sample.answers);
+        const std::vector<AnswerPattern> there = answer_patterns(named_as(here.answers, sample.answers));
         std::erase_if(patterns, [&](const AnswerPattern& one) { return std::ranges::find(there, one) == there.end(); });
         return ++tried < most_denying && !patterns.empty();
     });
@@ -233,7 +243,9 @@ AnswerPattern sentence_of(const InCommon& common)
     // That an answer which is always the same is wrong where another one is right says nothing.
     if (answer.tells == CommonTells::constant && condition.of_answer) return answer;
     const std::string text = in_plain_words(condition);
-    return {answer.words.empty() ? text : text + "; " + answer.words};
+    if (answer.words.empty()) return {text};
+    // What may be chance is said last.
+    return {condition.also_told_by.empty() ? text + "; " + answer.words : answer.words + "; " + text};
 }
 
 std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const CommonCondition& condition,

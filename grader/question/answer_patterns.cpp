@@ -178,13 +178,29 @@ void add_side(const AnswerTable& table, const Pairs& wrong, const std::vector<st
         found.push_back({fmt::format("is {} in each number that differs", *side), CommonTells::side});
 }
 
+/// "differs in all but y", of three numbers or more that have names, where y is not the same everywhere.
+std::string all_but_one(const AnswerTable& table, const Pairs& wrong, const std::vector<std::size_t>& which,
+                        const std::vector<std::string>& columns)
+{
+    constexpr std::size_t least_values = 4;
+    const std::size_t numbers = table.components - table.keys;
+    if (numbers < 3 || which.size() + 1 != numbers || columns.size() != table.components || table.picture) return {};
+    std::size_t right = table.keys;
+    while (std::ranges::find(which, right) != which.end()) ++right;
+    if (right == table.components || which.front() < table.keys) return {};
+    const NumberPairs same = numbers_in(wrong, table.components, {right});
+    if (std::set(same.right.begin(), same.right.end()).size() < least_values) return {};
+    return "differs in all but " + columns[right];
+}
+
 /// What is so of the numbers of an answer, the most telling first.
 void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<AnswerPattern>& found)
 {
     const std::vector<std::size_t> which = wrong_components(wrong, table.components);
     const std::vector<std::string> columns = columns_of_wrong_rows(table, wrong);
     const auto change = which.size() == 1 ? change_of(table, wrong, which.front(), columns) : std::nullopt;
-    const std::string place = table.components == 1 ? "" : place_of(table, which, columns);
+    std::string place = table.components == 1 ? "" : place_of(table, which, columns);
+    if (place.empty()) place = all_but_one(table, wrong, which, columns);
     if (which.size() > 1 && table.components <= 4) {
         WrongVectors vectors = wrong_vectors(table, wrong, 0, table.components);
         if (table.columns.size() == table.components) vectors.names = table.columns;

@@ -135,7 +135,9 @@ std::optional<std::string> argument(const WrongVectors& vectors, const std::vect
             different.insert(value);
         }
         if (different.size() < least_different || (!equal && !opposite)) continue;
-        return equal ? "is " + name : fmt::format("is {} with the opposite sign", name);
+        // A name alone would be read as what the answer is.
+        const std::string given = name.find('.') == std::string::npos ? "the given " + name : name;
+        return equal ? "is " + given : fmt::format("is {} with the opposite sign", given);
     }
     return std::nullopt;
 }

@@ -186,13 +186,19 @@ bool are_equal_often(const Fact& a, const Fact& b)
     return values.size() >= least_values;
 }
 
+/// "x" of "point.x".
+std::string_view component_of(std::string_view words) { return words.substr(std::min(words.rfind('.'), words.size())); }
+
 /// Of two facts that measure alike: "the distance between ray.origin and sphere.centre is less than sphere.radius".
 void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j, std::vector<PossibleCondition>& all)
 {
-    // A list's least number, or an answer's length, equals many a number by chance.
-    const auto comparable = [](const Fact& fact) {
+    // A list's least number, or an answer's length, equals many a number by chance; so do different components.
+    const bool same_component =
+        facts[i].component && facts[j].component && component_of(facts[i].words) == component_of(facts[j].words);
+    const auto comparable = [same_component](const Fact& fact) {
         if (fact.words.starts_with("the least") || fact.words.starts_with("the largest") || fact.answer) return false;
-        return fact.kind == Fact::Kind::length || (fact.kind == Fact::Kind::number && !fact.component);
+        return fact.kind == Fact::Kind::length ||
+               (fact.kind == Fact::Kind::number && (!fact.component || same_component));
     };
     // "The distance … is less than the radius" is how people say it.
     if (facts[i].kind == Fact::Kind::number && facts[j].kind == Fact::Kind::length) std::swap(i, j);
@@ -200,7 +206,7 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
     const Fact& b = facts[j];
     if (!comparable(a) || !comparable(b) || a.value_names != b.value_names) return;
     if ((a.quantity == Quantity::angle) != (b.quantity == Quantity::angle)) return;
-    const int cost = 3 + (a.kind == Fact::Kind::length && b.kind == Fact::Kind::length ? 1 : 0);
+    const int cost = 3 + (same_component || (a.kind == Fact::Kind::length && b.kind == Fact::Kind::length) ? 1 : 0);
     const auto add = [&](const char* words, bool (*test)(double, double), int more) {
         all.push_back({fmt::format("{} is {} {}", a.words, words, b.words),
                        [i, j, test](const std::vector<Fact>& others, std::size_t question) {

@@ -111,12 +111,15 @@ std::string row(const Columns& columns, const Line& line, std::string_view mark,
     return text + "\n";
 }
 
+/// In units that were judged: where nothing ran, all fail.
 int failing_hidden(const SubmissionResult& submission)
 {
     int count = 0;
-    for (const UnitResult& unit : submission.units)
+    for (const UnitResult& unit : submission.units) {
+        if (unit.verdict != Verdict::partial && unit.verdict != Verdict::wrong) continue;
         count += static_cast<int>(std::ranges::count_if(
             unit.checks, [](const CheckResult& check) { return check.hidden && check.score < check.max_score; }));
+    }
     return count;
 }
 
