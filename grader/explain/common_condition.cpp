@@ -151,7 +151,8 @@ std::optional<CommonCondition> condition_of(OtherCases& others, Samples& samples
     // What is said of that alone is what the answers are, and these are looked for elsewhere.
     if (is_presence(*condition)) return CommonCondition{*std::move(condition), of};
     const Confirmed elsewhere = confirmed_elsewhere(*condition, others, samples.seen(), of);
-    const bool may_be_untried = condition->is_simple || !fixed;
+    // That two numbers are equal holds on by chance where neither changes, and hardly where both do.
+    const bool may_be_untried = condition->is_simple || !fixed || (condition->compares && confirmed == Confirmed::yes);
     if (elsewhere == Confirmed::no || (elsewhere == Confirmed::untried && !may_be_untried)) return std::nullopt;
     return CommonCondition{*std::move(condition), of};
 }

@@ -31,6 +31,7 @@ Condition measured(const PossibleCondition& candidate, const std::vector<Fact>& 
                         candidate.of_answer,
                         is_simple(candidate, facts),
                         candidate.fact,
+                        candidate.compares,
                         {}};
     for (std::size_t i = 0; i < wrong.size(); ++i) {
         const bool holds = candidate.holds(facts, i);

@@ -19,6 +19,7 @@ struct Condition {
     bool of_answer = false;  ///< tells of the right answer's numbers, and not of the question's alone
     bool is_simple = false;  ///< tells of one number, length or sign in the question, and of no bound of its own
     std::optional<std::size_t> fact{};  ///< the only one that it looks at, if it is one
+    bool compares = false;              ///< sets two numbers of the question beside each other
     /// Other numbers of the questions by which these are told apart alike: what the reason is, they do not show.
     std::vector<std::string> also_told_by{};
     std::size_t wrong = 0;        ///< questions with wrong answers …

@@ -103,11 +103,16 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
     all.push_back(of_one(words + " is even", i, cost + 2, [](double x) { return std::fmod(std::abs(x), 2) == 0; }));
 }
 
+/// Do these numbers differ by so much that their magnitudes say more than their differences?
+bool are_magnitudes(double least, double largest) { return least > 0 && largest > 1e4 * least; }
+
 /// A number of few digits strictly between two.
 double between(double low, double high)
 {
+    const double middle = low == -std::numeric_limits<double>::infinity() ? high
+                          : are_magnitudes(low, high)                     ? std::sqrt(low) * std::sqrt(high)
+                                                                          : low + (high - low) / 2;
     for (int digits = 1; digits < 17; ++digits) {
-        const double middle = low == -std::numeric_limits<double>::infinity() ? high : low + (high - low) / 2;
         const double rounded = std::stod(fmt::format("{:.{}g}", middle, digits));
         if (rounded > low && rounded <= high) return rounded;
     }
@@ -124,7 +129,11 @@ bool is_close(const std::vector<double>& values, double bound)
     const auto place = std::ranges::lower_bound(values, bound);
     const auto fewer = std::min(place - values.begin(), values.end() - place);
     if (std::ranges::all_of(values, is_integer)) return fewer >= least_whole;
-    return fewer >= least && *place - *(place - 1) <= most_gap * (values.back() - values.front());
+    if (fewer < least) return false;
+    const double below = *(place - 1);
+    if (are_magnitudes(values.front(), values.back()))
+        return std::log(*place / below) <= most_gap * std::log(values.back() / values.front());
+    return *place - below <= most_gap * (values.back() - values.front());
 }
 
 /// Where wrong answers lie on one side: "is less than 2", "is 7 or more".
@@ -213,6 +222,7 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
                            return test(others[i].values[question], others[j].values[question]);
                        },
                        cost + more});
+        all.back().compares = true;
     };
     if (a.value_names.empty()) {
         add(

@@ -21,6 +21,7 @@ struct PossibleCondition {
     bool fitted = false;                ///< as in Condition
     bool of_answer = false;             ///< likewise
     std::optional<std::size_t> fact{};  ///< the one that it looks at, if it is one
+    bool compares = false;              ///< as in Condition
     bool accidental = false;  ///< a bound between groups of equal numbers: it tells that they differ, and no more
 };
 

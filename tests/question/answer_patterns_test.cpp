@@ -56,7 +56,7 @@ TEST(AnswerPatterns, say_which_number_of_a_row_differs)
                                   [](Row right) {
                                       return Row{right[0] * right[0], right[1] * right[1], right[2]};
                                   })),
-              "");
+              "differs in all but z");
 }
 
 // What is lost by float, by constants of few digits or by differences has no simpler pattern.
@@ -189,11 +189,11 @@ TEST(AnswerPatterns, say_what_wrong_answers_have_to_do_with_their_questions)
 TEST(AnswerPatterns, say_what_wrong_vectors_are)
 {
     const auto vector = [](auto wrong) { return first_pattern(asked_table(3, wrong)); };
-    EXPECT_EQ(vector([](double, const Row& v, const Row&) { return v; }), "is v");
+    EXPECT_EQ(vector([](double, const Row& v, const Row&) { return v; }), "is the given v");
     EXPECT_EQ(vector([](double, const Row& v, const Row&) {
                   return Row{-v[0], -v[1], -v[2]};
               }),
-              "is v with the opposite sign");
+              "is the given v with the opposite sign");
     EXPECT_EQ(vector([](double, const Row& v, const Row& right) {
                   const double length = std::hypot(v[0], v[1], v[2]);
                   return Row{length * right[0], length * right[1], length * right[2]};

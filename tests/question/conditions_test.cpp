@@ -74,6 +74,28 @@ TEST(Conditions, name_the_other_numbers_that_part_alike)
     EXPECT_TRUE(count->also_told_by.empty());
 }
 
+// On the border of a window: that the same component of two vectors is equal, not any two.
+TEST(Conditions, compare_the_same_component_of_two_vectors)
+{
+    QuestionTable table{{"window.high.x", "window.high.y", "point.x", "point.y"}, {}};
+    for (int i = 0; i < 60; ++i) {
+        const double x = 1.25 + i % 5;
+        const double y = 2.5 + i % 3;
+        table.numbers.push_back({x, y, i % 4 == 0 ? x : i % 4 == 1 ? y : 0.1 * i, i % 4 == 2 ? y : 0.3 * i});
+    }
+    EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return row[0] == row[2]; })),
+              "window.high.x is equal to point.x");
+    EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return row[1] == row[2]; })), "nothing");
+}
+
+TEST(Conditions, put_bounds_between_magnitudes)
+{
+    QuestionTable table{{"length"}, {}};
+    for (int i = 0; i < 40; ++i) table.numbers.push_back({std::pow(10.0, -i)});
+    EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return row[0] < 3e-12; })),
+              "length is less than 5e-12");
+}
+
 TEST(Conditions, find_signs_zeros_and_bounds_in_the_simplest_words)
 {
     const QuestionTable table = rays(2);

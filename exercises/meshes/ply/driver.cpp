@@ -157,12 +157,11 @@ void record_problems(Case& what, Recorder& out, const std::vector<Malformed>& wr
         const std::string right = commented(vary, good[i % good.size()]);
         if (!bad_first) out.append("problems", outcome(out, right).problem);
         const auto [problem, place, text] = outcome(out, commented(vary, bad.file));
+        const auto tells = [&text = text](const std::string& word) { return text.find(word) != std::string::npos; };
         out.append("problems", problem);
-        if (bad_first) out.append("problems", outcome(out, right).problem);
         if (bad.has_place) out.append("places", place);
-        if (bad.word.empty()) continue;
-        const auto tells = [&](const std::string& word) { return text.find(word) != std::string::npos; };
-        out.append("texts", tells(bad.word) && tells(std::to_string(place)) ? place : missing);
+        if (!bad.word.empty()) out.append("texts", tells(bad.word) && tells(std::to_string(place)) ? place : missing);
+        if (bad_first) out.append("problems", outcome(out, right).problem);
     }
 }
 

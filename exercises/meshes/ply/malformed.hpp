@@ -136,6 +136,11 @@ inline std::vector<Malformed> bad_data(Variation vary = {})
         with("1 0 0", "1 +-1 0"),
         with("1 0 0", "1 0"),
         with("1 0 0", "1 0 0 0"),
+        // Blank lines are no elements, but lines.
+        with_word("1 0 0", "\n1 ", "zero", " 0"),
+        with_word("0 1 0", "\n \t\n\n0 ", "none", " 0"),
+        with("3 0 1 2", "\n\n3 0 1"),
+        with_word("3 0 2 3", " \n3 0 2 ", "47"),
         // Too large for a float, and told in full.
         with_word("0 1 0", "0 ", "7000000000000000000000000000000000000000000000000000", " 0"),
         of_type("uchar", "-01"),

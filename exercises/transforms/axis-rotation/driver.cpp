@@ -85,7 +85,9 @@ void record_angles(Random& random, Recorder& out)
          {pi, -pi, 2 * pi, 7.0F, 100.0F, -1e3F, 1e4F, 1e5F, -1e6F, 1e13F, -3e38F, 3.14F, 3.1415F, 3.1416F}) {
         for (int i = 0; i < 10; ++i) {
             const float off = i < 5 ? 0 : random.uniform(-1e-3F, 1e-3F);
-            out.append("matrix", ask<rotation_matrix>(out, {random.unit_vector(), angle * (1 + off)}));
+            const AxisAngle turn{random.unit_vector(), angle * (1 + off)};
+            out.append("matrix", ask<rotation_matrix>(out, turn));
+            out.append("vector", ask<rotate_vector>(out, random.unit_vector(), turn));
         }
     }
 }
