@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "explain/some_rows.hpp"
 #include "judge/explain/resemblances.hpp"
@@ -35,18 +36,27 @@ std::vector<double> row_of(const TensorView& view, std::size_t row)
     return {cell.begin(), cell.end()};
 }
 
-void add_rows(const AskedCheck& asked, const QuestionLog& log, const Tensor& student, const Expected& expected,
+void add_rows(const AskedCheck& asked, const QuestionLog& log, const RunOutcome& run, const Expected& expected,
               AskedAnswers& answers)
 {
+    const Tensor& student = *observed(asked.check, run);
     const TensorView yours(student);
     const TensorView right(*expected.value);
     const std::vector<RowState> states = single_rows(asked.check, student, expected);
     answers.optional = right.optional();
+    // What stands in a table where nothing was answered is no number of the student's, in whichever of the rows that
+    // one question led to the refusal is written down.
+    std::set<std::uint32_t> refused;
+    for (const auto& [row, why] : refusals_in(run, asked.check.value))
+        if (const auto question = log.question_of(asked.check.value, row, states.size())) refused.insert(*question);
     for (std::size_t row = 0; row < std::min(states.size(), most_answers); ++row) {
         const auto question = log.question_of(asked.check.value, row, states.size());
         if (states[row] == RowState::left_out || !question) continue;
-        answers.all.push_back(
-            {*question, row, {row_of(yours, row), row_of(right, row), states[row] == RowState::wrong}});
+        const bool is_refused = refused.contains(*question);
+        answers.all.push_back({*question,
+                               row,
+                               {is_refused ? std::vector<double>() : row_of(yours, row), row_of(right, row),
+                                states[row] == RowState::wrong, is_refused}});
     }
 }
 
@@ -90,6 +100,7 @@ void add_groups(const AskedCheck& asked, const QuestionLog& log, const Expected&
     check.pairs = false;
     const bool has_margin = expected.margin != nullptr && expected.margin->rows == right.rows &&
                             expected.margin->columns == 1 && well_formed(*expected.margin);
+    const std::map<std::size_t, std::string> refused = refusals_in(told, value);
     for (const auto& [question, rows] : all) {
         if (answers.all.size() == most_answers) break;
         const Tensor one = student->rows == 0 ? some_rows(right, {}) : some_rows(*student, rows.yours);
@@ -99,6 +110,8 @@ void add_groups(const AskedCheck& asked, const QuestionLog& log, const Expected&
             {question,
              std::nullopt,
              {to_doubles(one), to_doubles(other), !is_right(check, one, other, has_margin ? &margin : nullptr)}});
+        const bool is_refused = std::ranges::any_of(rows.yours, [&](std::size_t row) { return refused.contains(row); });
+        if (is_refused) answers.all.back().answer = {{}, to_doubles(other), answers.all.back().answer.wrong, true};
     }
     answers.optional = true;
 }
@@ -125,7 +138,7 @@ AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_
     if (student.verdict != Verdict::ok) return answers;
     const Tensor* yours = observed(check, student);
     if (has_single_rows(check, yours, expected.value))
-        add_rows(asked, log, *yours, expected, answers);
+        add_rows(asked, log, student, expected, answers);
     else
         add_groups(asked, log, expected, seed, answers);
     return answers;

@@ -59,6 +59,7 @@ bool is_finite_number(double x) { return std::isfinite(x); }
 /// Whether there is an answer, and whether it is one at all; nothing if all are answers.
 std::optional<std::vector<AnswerPattern>> presence(const AnswerTable& table, const Pairs& wrong)
 {
+    if (std::ranges::all_of(wrong, &AnswerPair::refused)) return std::vector<AnswerPattern>{{all_refused}};
     const bool missing = std::ranges::all_of(wrong, is_missing);
     if (missing || std::ranges::all_of(wrong, is_too_much)) {
         // That events are missing is plain to see; which they are is not.

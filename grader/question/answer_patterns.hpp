@@ -16,6 +16,7 @@ struct AnswerPair {
     std::vector<double> yours;
     std::vector<double> expected;
     bool wrong = false;
+    bool refused = false;  ///< the student's code refused the question, and `yours` is empty
 };
 
 /// The answers to several questions.
@@ -32,6 +33,7 @@ struct AnswerTable {
 
 /// What is said where nothing was answered, in words that follow "every wrong answer".
 inline constexpr const char* none_given = "is empty";
+inline constexpr const char* all_refused = "is a refusal of what was asked";
 
 /// Of fewer wrong answers anything may be true by chance.
 inline constexpr std::size_t least_wrong = 4;

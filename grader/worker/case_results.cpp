@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <algorithm>
+#include <charconv>
 
 #include "judge/explain/resemblances.hpp"
 #include "judge/judges.hpp"
@@ -49,24 +50,14 @@ void judge_answers(const Check& check, const AnswersPastCrashes& answers, const 
     result.message = fmt::format("{} of {} rows have no answer: {}", lost, rows, trouble);
 }
 
-/// What the unit said when it refused what it was asked for this row; empty if it did not.
-std::string refusal_of(const std::string& value, const RunOutcome& student, std::size_t row)
-{
-    std::istringstream lines{std::string(text_of(tensor_of(student, value + std::string(refusals::suffix))))};
-    for (std::string line; std::getline(lines, line);) {
-        const std::size_t tab = line.find('\t');
-        if (tab != std::string::npos && line.substr(0, tab) == std::to_string(row))
-            return one_line(line.substr(tab + 1));
-    }
-    return "";
-}
-
 /// Says of the first wrong value that it is none, where the unit refused what it was asked.
 void add_refusal(const Check& check, const RunOutcome& student, CheckResult& result)
 {
     if (!result.first_difference || !result.first_difference->cell) return;
-    const std::string why = refusal_of(check.value, student, *result.first_difference->cell);
-    if (why.empty()) return;
+    const auto refused = refusals_in(student, check.value);
+    const auto found = refused.find(*result.first_difference->cell);
+    if (found == refused.end() || found->second.empty()) return;
+    const std::string& why = found->second;
     result.first_difference->yours = fmt::format("refused: {}", why);
     for (std::string* const text : {&result.message, &result.headline})
         if (!text->empty()) *text += fmt::format("; at {} yours refused: {}", result.first_difference->where, why);
@@ -159,6 +150,18 @@ CheckResult blank_result(const Check& check)
     result.about = check.about;
     result.max_score = check.points;
     return result;
+}
+
+std::map<std::size_t, std::string> refusals_in(const RunOutcome& run, const std::string& value)
+{
+    std::map<std::size_t, std::string> found;
+    std::istringstream lines{std::string(text_of(tensor_of(run, value + std::string(refusals::suffix))))};
+    for (std::string line; std::getline(lines, line);) {
+        std::size_t row = 0;
+        const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), row);
+        if (error == std::errc() && *end == '\t') found.emplace(row, one_line(end + 1));
+    }
+    return found;
 }
 
 bool leaves_picture(const RunOutcome& run)

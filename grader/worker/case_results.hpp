@@ -81,6 +81,9 @@ using CaseResults = std::map<std::string, CaseResult>;
 /// nothing.
 void take_judgement(const Check& check, const Judgement& judgement, double control, CheckResult& result);
 
+/// What the unit said when it refused what it was asked for rows of `value`, by the row's number.
+[[nodiscard]] std::map<std::size_t, std::string> refusals_in(const RunOutcome& run, const std::string& value);
+
 /// Did a run leave a picture or a buffer, and not only rows and texts?
 [[nodiscard]] bool leaves_picture(const RunOutcome& run);
 

@@ -38,6 +38,16 @@ TEST(SillySentences, that_events_are_missing_is_said_with_the_one_that_is)
     EXPECT_EQ(first_pattern(made), "has \"zoom\" too often");
 }
 
+// What a driver writes down where nothing was answered is not what the student's code said.
+TEST(SillySentences, a_refusal_is_no_number)
+{
+    AnswerTable made = wrong_ones(2, nothing, {{3, 1}, {3, 2}, {3, 5}, {3, 1}, {3, 9}});
+    for (AnswerPair& one : made.answers) one.refused = true;
+    EXPECT_EQ(first_pattern(made), "is a refusal of what was asked");
+    made.answers[1].refused = false;
+    EXPECT_EQ(first_pattern(made), "is empty");
+}
+
 TEST(SillySentences, events_that_are_missing_among_others_are_named)
 {
     std::vector<Row> yours;
