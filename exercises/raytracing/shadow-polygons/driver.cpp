@@ -94,20 +94,19 @@ float path_number(const std::vector<std::size_t>& path)
     return number;
 }
 
-// Rows [task, place in the list, path, eye] and [task, path, corner, x, y, z].
+// Rows [1, task, path, eye], in the order of the list, and [task, path, corner, x, y, z].
 void record_views(Recorder& out, const std::vector<MirrorTask>& tasks)
 {
-    out.text("eyes.names", "task: place in the list, path");
+    out.text("eyes.names", "1 a path: task, path, eye/3");
     out.text("windows.names", "task: path, corner");
     for (std::size_t i = 0; i < tasks.size(); ++i) {
         const std::vector<MirrorView> views = asked(out, tasks[i]);
         const auto task = static_cast<float>(i);
-        for (std::size_t k = 0; k < views.size(); ++k) {
-            const float path = path_number(views[k].path);
-            const glm::vec3& eye = views[k].eye;
+        for (const MirrorView& view : views) {
+            const float path = path_number(view.path);
             out.append("eyes",
-                       std::span<const float>(std::array{task, static_cast<float>(k), path, eye.x, eye.y, eye.z}));
-            append_corners(out, "windows", task, path, views[k].window);
+                       std::span<const float>(std::array{1.0F, task, path, view.eye.x, view.eye.y, view.eye.z}));
+            append_corners(out, "windows", task, path, view.window);
         }
     }
 }
