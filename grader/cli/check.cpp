@@ -17,8 +17,8 @@
 #include "cli/paths.hpp"
 #include "cli/watch.hpp"
 #include "model/one_cpp_file.hpp"
-#include "report/details.hpp"
 #include "report/html/pages.hpp"
+#include "report/next_steps.hpp"
 
 namespace umbral::grader {
 namespace {

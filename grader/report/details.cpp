@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "report/check_words.hpp"
 #include "report/failing_order.hpp"
 #include "report/hidden.hpp"
 #include "report/layout.hpp"
+#include "report/next_steps.hpp"
 #include "report/reasons.hpp"
 #include "report/side_by_side.hpp"
 
@@ -44,13 +44,20 @@ std::vector<std::string> excerpt(std::string_view text, int width, const Paint& 
 std::vector<std::string> code_lines(std::string_view code, int width, const Paint& paint)
 {
     constexpr int indent = 2;
+    constexpr std::size_t most = 24;
+    constexpr std::size_t most_first = 12;  ///< of more than that, and the last one
+    std::vector<std::string> written;
+    for (std::size_t place = 0; place < code.size(); place = std::min(code.find('\n', place), code.size()) + 1)
+        written.emplace_back(code.substr(place, code.find('\n', place) - place));
+    if (const std::size_t all = written.size(); all > most) {
+        written.erase(written.begin() + most_first, written.end() - 1);
+        written.insert(written.end() - 1, fmt::format("// … {} lines left out", all - most_first - 1));
+    }
     std::vector<std::string> lines;
-    for (std::size_t place = 0; place < code.size();) {
-        const std::size_t end = std::min(code.find('\n', place), code.size());
-        const std::vector<std::string> pieces = wrap(paint.safe(code.substr(place, end - place)), width - indent);
+    for (const std::string& line : written) {
+        const std::vector<std::string> pieces = wrap(paint.safe(line), width - indent);
         for (std::size_t i = 0; i < pieces.size(); ++i)
             lines.push_back(std::string(i == 0 ? 0 : indent, ' ') + pieces[i]);
-        place = end + 1;
     }
     return lines;
 }
@@ -85,15 +92,24 @@ void add_other_question(Block& block, std::string_view label, const Difference& 
     block.labelled("", side_by_side(wrong, block.room(), paint));
 }
 
+/// Does the check's message say at length what stands below it: matrices that are drawn, or long events?
+bool repeats_first(const CheckResult& check)
+{
+    constexpr std::size_t short_values = 40;
+    if (!check.first_difference) return false;
+    const auto& [where, yours, expected, cell, question, others] = *check.first_difference;
+    if (find_matrix(yours)) return true;
+    const auto holds = [&](const std::string& text) { return check.message.find(text) != std::string::npos; };
+    return yours.size() + expected.size() > short_values && holds(yours) && holds(expected);
+}
+
 /// `told` stands above it: what the check only repeats of it is left out.
 void add_first_failing(Block& block, const CheckResult& check, std::string_view told, const Paint& paint)
 {
     const std::string words = words_and_points(check);
     const std::string name = shorten(paint.safe(check.name), block.room() - display_width(words) - 2, paint.ellipsis());
     block.labelled("check", {fmt::format("{}  {}", paint(Tone::strong, name), words)});
-    // A matrix judge's message repeats the matrices that are drawn below.
-    const bool drawn = check.first_difference && find_matrix(check.first_difference->yours);
-    const std::string& message = drawn && !check.headline.empty() ? check.headline : check.message;
+    const std::string& message = repeats_first(check) && !check.headline.empty() ? check.headline : check.message;
     if (told.find(message) == std::string_view::npos) block.labelled("", excerpt(message, block.room(), paint));
     if (check.first_difference) {
         block.sentence("first", check.first_difference->where);
@@ -175,8 +191,11 @@ void add_others(Block& block, const UnitResult& unit, const std::vector<const Ch
         // Once for all that a line of the statement is about.
         const bool last = i + 1 == hidden.size() || hidden[i + 1]->about != hidden[i]->about;
         if (last && !hidden[i]->about.empty()) block.sentence("", "Looks at: " + hidden[i]->about);
-        const bool told = std::any_of(hidden.begin(), hidden.begin() + static_cast<std::ptrdiff_t>(i),
-                                      [&](const CheckResult* other) { return other->practice == hidden[i]->practice; });
+        const auto end = hidden.begin() + static_cast<std::ptrdiff_t>(i);
+        const bool told =
+            std::any_of(hidden.begin(), end,
+                        [&](const CheckResult* other) { return other->practice == hidden[i]->practice; }) ||
+            (!failing.empty() && failing.front()->common == hidden[i]->practice);
         if (!told && !hidden[i]->practice.empty()) block.sentence("", "On practice inputs: " + hidden[i]->practice);
     }
     // Of a visible check that fails there is an example above.
@@ -189,65 +208,6 @@ void add_others(Block& block, const UnitResult& unit, const std::vector<const Ch
             block.sentence("practice", picture->second);
 }
 
-/// What makes `umbral debug` stop at the call behind a check's first wrong value.
-std::string row_option(const UnitResult& unit, const CheckResult& failing)
-{
-    const auto& first = failing.first_difference;
-    if (!first || !first->cell || first->question.empty()) return "";
-    const std::string case_name = failing.name.substr(0, failing.name.rfind('/') + 1);
-    const auto same_case =
-        std::ranges::find_if(unit.checks, [&](const CheckResult& one) { return one.name.starts_with(case_name); });
-    const std::string value = failing.name.substr(case_name.size());
-    return fmt::format(" --row {}{}", *first->cell,
-                       same_case->name == failing.name ? "" : " --value " + shell_word(value));
-}
-
-std::vector<std::string> next_steps(const UnitResult& unit, const CheckResult* failing, const std::string& folder,
-                                    const Paint& paint)
-{
-    const std::string id = shell_word(unit.id);
-    const std::string in_folder = folder_option(folder);
-    std::vector<std::string> steps;
-    switch (unit.verdict) {
-        case Verdict::grader_fault:
-            return {"This is the grader's fault, not yours: please show this report to your instructor."};
-        case Verdict::missing:
-            return {fmt::format("umbral reset {}{}   puts the file to write back in its place", paint.safe(id),
-                                paint.safe(in_folder))};
-        case Verdict::compile_error:
-        case Verdict::interface_mismatch:
-        case Verdict::forbidden: steps.push_back(fmt::format("umbral check {}{}", id, in_folder)); break;
-        case Verdict::not_implemented: break;
-        default: {
-            // To stop at a call that is answered rightly leads nowhere.
-            if (failing == nullptr ? std::ranges::any_of(unit.checks, fails) : failing->beside) break;
-            const std::string name =
-                failing != nullptr ? shell_word(failing->name.substr(0, failing->name.rfind('/'))) : "";
-            steps.push_back(fmt::format("umbral debug {}{}{}{}{}", id, name.empty() ? "" : " ", name,
-                                        failing == nullptr ? "" : row_option(unit, *failing), in_folder));
-        }
-    }
-    steps.push_back(fmt::format("umbral hint {}{}", id, in_folder));
-    for (std::string& step : steps) step = paint(Tone::strong, paint.safe(step));
-    return steps;
-}
-
-}
-
-std::string shell_word(std::string_view text)
-{
-    const auto plain = [](unsigned char c) {
-        return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == '/';
-    };
-    if (!text.empty() && std::ranges::all_of(text, plain)) return std::string(text);
-    std::string word = "'";
-    for (const char c : text) c == '\'' ? word += "'\\''" : word += c;
-    return fmt::format("{}'", word);
-}
-
-std::string folder_option(const std::string& folder)
-{
-    return folder.empty() || folder == "." ? "" : " --dir " + shell_word(folder);
 }
 
 std::string unit_details(const UnitResult& unit, int width, const Paint& paint, const std::string& folder)

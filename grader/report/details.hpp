@@ -11,10 +11,4 @@ namespace umbral::grader {
 [[nodiscard]] std::string unit_details(const UnitResult& unit, int width, const Paint& paint,
                                        const std::string& folder = "");
 
-/// " --dir work", behind a command that is to be called for this workspace; nothing where one stands in it.
-[[nodiscard]] std::string folder_option(const std::string& folder);
-
-/// "'far away'": an argument that a shell takes as one word.
-[[nodiscard]] std::string shell_word(std::string_view text);
-
 }

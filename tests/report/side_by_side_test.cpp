@@ -1,8 +1,7 @@
 #include "report/side_by_side.hpp"
+#include "report/next_steps.hpp"
 
 #include <gtest/gtest.h>
-
-#include "report/details.hpp"
 
 namespace umbral::grader {
 namespace {

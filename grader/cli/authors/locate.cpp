@@ -13,8 +13,8 @@
 #include "model/one_cpp_file.hpp"
 #include "mutants/repair_words.hpp"
 #include "mutants/try_repairs.hpp"
-#include "report/details.hpp"
 #include "report/layout.hpp"
+#include "report/next_steps.hpp"
 #include "report/paint.hpp"
 
 namespace umbral::grader {

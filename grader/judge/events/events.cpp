@@ -84,6 +84,12 @@ std::optional<std::size_t> later(const Parting& parting, std::span<const double>
     return std::nullopt;
 }
 
+/// What came where another event is expected.
+std::string one_for_another(const std::string& came, const std::string& wanted)
+{
+    return fmt::format("expected {}, {} came instead", wanted, came);
+}
+
 /// Too early, too late, too often, or another one altogether.
 std::string in_words(const Parting& parting, const std::string& came, const std::string& wanted)
 {
@@ -112,7 +118,8 @@ std::string in_words(const Parting& parting, const std::string& came, const std:
             return came + " came, and is expected nowhere";
         }
     }
-    const std::string instead = fmt::format("expected {}, {} came{}", wanted, came, gap.surplus > 0 ? " instead" : "");
+    const std::string instead =
+        gap.surplus > 0 ? one_for_another(came, wanted) : fmt::format("expected {}, {} came", wanted, came);
     if (const auto place = later(parting, expected.cell(gap.expected), yours, gap.yours, yours_matched))
         return fmt::format("{}; it came too late, in row {} of yours", instead, *place);
     if (gap.surplus > 0) return instead;
@@ -275,13 +282,13 @@ Judgement judge_events(const Check& check, const Tensor& student, const Tensor& 
     // What is only too much stands between two rows, and neither of their questions need have led to it.
     judgement.first_difference = Difference{fmt::format("row {} of {} events", gap->expected, expected.cells()), came,
                                             wanted, gap->lost > 0 ? std::optional(gap->expected) : std::nullopt};
-    judgement.message = fmt::format("row {}: ", gap->expected);
-    judgement.message += in_words({check.tolerance, yours, expected, alignment, *gap}, came, wanted);
-    judgement.message += fmt::format(" ({} of {} expected events are right", matched, expected.cells());
+    std::string counts = fmt::format("{} of {} expected events are right", matched, expected.cells());
     if (surplus > 0)
-        judgement.message += fmt::format("; {}{} that came {} not expected", alignment.best ? "" : "about ", surplus,
-                                         surplus == 1 ? "is" : "are");
-    judgement.message += ")";
+        counts += fmt::format("; {}{} that came {} not expected", alignment.best ? "" : "about ", surplus,
+                              surplus == 1 ? "is" : "are");
+    const std::string words = in_words({check.tolerance, yours, expected, alignment, *gap}, came, wanted);
+    judgement.message = fmt::format("row {}: {} ({})", gap->expected, words, counts);
+    if (words == one_for_another(came, wanted)) judgement.headline = counts;
     return judgement;
 }
 
