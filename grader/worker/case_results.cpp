@@ -37,7 +37,7 @@ std::string too_many(const std::string& value, const RunOutcome& student, const 
 void judge_answers(const Check& check, const AnswersPastCrashes& answers, const Expected& expected, double control,
                    CheckResult& result)
 {
-    const std::string trouble = std::move(result.message);
+    std::string trouble = std::move(result.message);
     take_judgement(check, judge(check, answers.tensor, *expected.value, expected.margin, expected.names), control,
                    result);
     const auto rows = static_cast<Millipoints>(expected.value->rows);
@@ -47,7 +47,8 @@ void judge_answers(const Check& check, const AnswersPastCrashes& answers, const 
     if (result.first_difference && result.first_difference->cell &&
         std::ranges::binary_search(answers.lost, *result.first_difference->cell))
         result.first_difference->yours = "no answer";
-    result.message = fmt::format("{} of {} rows have no answer: {}", lost, rows, trouble);
+    result.message =
+        lost < rows ? fmt::format("{} of {} rows have no answer: {}", lost, rows, trouble) : std::move(trouble);
 }
 
 /// Says of the first wrong value that it is none, where the unit refused what it was asked.

@@ -93,12 +93,24 @@ TEST(Diagnostics, hold_no_path_of_this_machine)
 TEST(Diagnostics, of_two_files_that_define_the_same)
 {
     const Workbench bench;
-    const Built built = build(
-        bench.tools(), bench.exercise("raytracing/sphere"),
-        {{"sphere.cpp", sphere_with("int same() { return 1; }\n", "")}, {"other.cpp", "int same() { return 2; }\n"}});
+    const Built built = build(bench.tools(), bench.exercise("raytracing/sphere"),
+                              {{"sphere.cpp", sphere_with("int needed();\nint same() { return needed(); }\n", "")},
+                               {"other.cpp", "int same() { return 2; }\nint needed() { return 3; }\n"}});
     ASSERT_EQ(to_string(built.verdict), "compile_error");
     EXPECT_NE(built.message.find("same"), std::string::npos) << built.message;
     EXPECT_EQ(built.message.find(bench.folder()), std::string::npos) << built.message;
+}
+
+// Who keeps an older version in the same folder means the unit's own file.
+TEST(Diagnostics, a_copy_beside_the_unit_is_left_out_and_named)
+{
+    const Workbench bench;
+    const std::string helper = "int helper() { return 1; }\n";
+    const std::string text = sphere_with("int helper();\nint used() { return helper(); }\n", "");
+    const Built built = build(bench.tools(), bench.exercise("raytracing/sphere"),
+                              {{"sphere.cpp", text}, {"sphere_old.cpp", text}, {"helper.cpp", helper}});
+    EXPECT_EQ(to_string(built.verdict), "ok") << built.message;
+    EXPECT_EQ(built.message.find("sphere_old.cpp was left out: it defines what another"), 0U) << built.message;
 }
 
 // The linker's messages name objects whose names are new each time.

@@ -103,7 +103,7 @@ public:
     {
         fs::create_directories(folder_);
         for (const auto& entry : fs::directory_iterator(tools_.programs))
-            if (entry.path().filename().string().starts_with("umbral"))
+            if (entry.path().filename().string().starts_with("umbral") || entry.path().filename() == "assembler")
                 fs::create_symlink(entry.path(), folder_ / entry.path().filename());
         tools_.programs = folder_;
     }
