@@ -211,10 +211,11 @@ std::optional<Built> without_a_copy(const Toolchain& tools, const Exercise& exer
         others.erase(copy);
         const Compilation compilation = compile(tools, exercise, others, work.path());
         Built built;
+        // Whatever else is wrong without it, it was needed.
         if (!compilation.library || !look_at(tools, exercise, *compilation.library, built)) continue;
-        if (built.verdict == Verdict::ok)
-            built.message = fmt::format("{} was left out: it defines what another of your files defines, too\n{}", copy,
-                                        compilation.diagnostics);
+        if (built.verdict != Verdict::ok) continue;
+        built.message = fmt::format("{} was left out: it defines what another of your files defines, too\n{}", copy,
+                                    compilation.diagnostics);
         return built;
     }
     return std::nullopt;
