@@ -231,6 +231,17 @@ InCommon find_in_common(Worker& worker, const AskedCheck& asked, SpareTime& time
     return found;
 }
 
+namespace {
+
+/// Does it say how many times the right ones wrong answers are, or that these have the opposite sign?
+bool is_multiple(const AnswerPattern& answer)
+{
+    return answer.tells == CommonTells::multiple || answer.tells == CommonTells::opposite ||
+           answer.words.ends_with("opposite sign") || answer.words.find(" times the right one") != std::string::npos;
+}
+
+}
+
 AnswerPattern sentence_of(const InCommon& common)
 {
     AnswerPattern answer = common.answer;
@@ -241,6 +252,8 @@ AnswerPattern sentence_of(const InCommon& common)
         std::string text = found_or_not(*common.condition, common.answer);
         return text.empty() ? answer : AnswerPattern{std::move(text)};
     }
+    // Where the right number is 0, a factor makes no difference.
+    if (is_multiple(answer) && condition.words.ends_with(" is not 0")) return answer;
     // That an answer which is always the same is wrong where another one is right says nothing.
     if (answer.tells == CommonTells::constant && condition.of_answer) return answer;
     const std::string text = in_plain_words(condition);

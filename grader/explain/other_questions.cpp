@@ -266,7 +266,7 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
     const auto add = [&](const WeighedQuestion& candidate, double sureness, const std::string& where) {
         const std::string words = in_words(candidate.question, headers);
         const double share = static_cast<double>(candidate.failing) / static_cast<double>(failing);
-        found.push_back({"question: " + words, where + sentence(candidate.question, words), sureness,
+        found.push_back({std::string(question_reason) + words, where + sentence(candidate.question, words), sureness,
                          fit(candidate.tally) * std::min(share, 1.0)});
     };
     if (const WeighedQuestion* const some = only_one_for_some(candidates)) {

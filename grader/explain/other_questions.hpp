@@ -2,12 +2,16 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "explain/explained_checks.hpp"
 #include "question/log.hpp"
 
 namespace umbral::grader {
+
+/// The name of a reason begins so if another question was answered.
+inline constexpr std::string_view question_reason = "question: ";
 
 /// The text of the headers where a unit's parameters have names: its own first, since other units' functions may have
 /// the names of its own, then the rest of its topic's.

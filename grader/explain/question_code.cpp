@@ -40,7 +40,8 @@ std::string together(const QuestionSpan& span, const std::map<std::uint32_t, std
     std::string text = span.count > 1 ? fmt::format("// {} calls in this order led to it\n", span.count) : "";
     for (std::size_t i = 0; i < shown.size(); ++i) {
         if (shown.size() < span.count && i == most_together / 2)
-            text += fmt::format("// … {} calls left out\n", span.count - shown.size());
+            text += fmt::format("// … {} {} left out\n", span.count - shown.size(),
+                                span.count - shown.size() == 1 ? "call" : "calls");
         if (is_in_a_later_one(i)) continue;
         text += texts[i];
         if (i + 1 < shown.size()) text += '\n';

@@ -179,6 +179,19 @@ std::vector<WrongCase> wrong_cases(const Exercise& exercise, const CaseResults& 
     return failing;
 }
 
+/// Where wrong answers are the right ones with the opposite sign, that a question was asked with another sign says the
+/// same, and sends one to look at the wrong end.
+void drop_negated_questions(UnitResult& result)
+{
+    const bool has_opposite = std::ranges::any_of(result.checks, [](const CheckResult& check) {
+        return check.common_tells == CommonTells::opposite || check.common.ends_with("opposite sign");
+    });
+    if (!has_opposite) return;
+    std::erase_if(result.explanations, [](const Explanation& one) {
+        return one.name.starts_with(question_reason) && one.name.find("negated") != std::string::npos;
+    });
+}
+
 }
 
 void add_questions(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases,
@@ -194,6 +207,7 @@ void add_questions(Worker& worker, const Exercise& exercise, const Built& built,
             questions.add(exercise.checks[i], result.checks[i], detail, headers, patterns);
         questions.write();
     }
+    drop_negated_questions(result);
     add_simplest_question(worker, exercise, built, cases, result);
     // `umbral debug` has other inputs: no row of its own is meant.
     for (CheckResult& check : result.checks)

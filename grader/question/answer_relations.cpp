@@ -213,6 +213,8 @@ std::optional<AnswerPattern> multiple_of(const WrongVectors& vectors, const std:
         return AnswerPattern{"is the right one " + *words};
     if (std::ranges::all_of(*factors, [](double factor) { return factor > 0; }))
         return AnswerPattern{"has the right direction, but not the right length"};
+    if (vectors.components > 1 && vary(*factors))
+        return AnswerPattern{"lies along the right one, with another length, and not always to the same side"};
     return std::nullopt;
 }
 

@@ -61,6 +61,29 @@ std::vector<std::string> list_patterns(const AnswerTable& table, const std::vect
             return alike_rows(turned, right);
         }))
         found.emplace_back("has its rows in the opposite order");
+    const auto row_by_row = [&](auto is_row) {
+        return all([&](RowsOfList yours, RowsOfList right) {
+            constexpr std::size_t least_rows = 3;
+            if (yours.size() != right.size() || right.size() < least_rows * components) return false;
+            for (std::size_t at = components; at < yours.size(); ++at)
+                if (!is_row(yours, right, at)) return false;
+            return true;
+        });
+    };
+    if (row_by_row([&](RowsOfList yours, RowsOfList right, std::size_t at) {
+            double sum = 0;
+            double size = 0;
+            for (std::size_t before = at % components; before <= at; before += components) {
+                sum += right[before];
+                size += std::abs(right[before]);
+            }
+            return alike(yours[at], sum, size);
+        }))
+        found.emplace_back("has in each row the sum of the right ones up to there");
+    if (row_by_row([&](RowsOfList yours, RowsOfList right, std::size_t at) {
+            return alike(yours[at], right[at - components], size_of(right));
+        }))
+        found.emplace_back("has each row one place too late");
     return found;
 }
 

@@ -14,6 +14,13 @@ namespace umbral::grader {
 
 namespace {
 
+/// Are there so many, and is each the same?
+bool all_alike(const std::vector<double>& numbers)
+{
+    return numbers.size() >= least_wrong &&
+           std::ranges::all_of(numbers, [&](double one) { return one == numbers.front(); });
+}
+
 NumberPairs numbers_in(const std::vector<const AnswerPair*>& wrong, std::size_t components, std::size_t component)
 {
     NumberPairs numbers;
@@ -59,6 +66,8 @@ std::optional<AnswerPattern> change_of(const AnswerTable& table, const std::vect
     const WrongNumbers numbers{std::move(pairs.yours), std::move(pairs.right), questions_of(table, wrong)};
     if (!numbers.questions.empty())
         if (auto relation = relation_of(numbers, table.facts)) return AnswerPattern{*std::move(relation)};
+    if (table.components > 1 && all_alike(numbers.yours) && !table.picture)
+        return AnswerPattern{fmt::format("{:.6g}", numbers.yours.front()), CommonTells::constant};
     for (std::size_t other = table.keys; other < std::min(table.components, columns.size()); ++other) {
         if (other == component) continue;
         const std::vector<double> right = numbers_in(wrong, table.components, other).right;

@@ -132,19 +132,23 @@ bool is_told(CommonTells tells, std::span<const Explanation> reasons)
     return (tells == CommonTells::multiple && given("scaled")) || (tells == CommonTells::opposite && given("negated"));
 }
 
-/// What wrong answers have in common: of the check that is shown, or, where no reason is known, of the first other that
-/// tells what they are, before where they lie.
+/// What wrong answers have in common, of the check that is shown; and where no reason is known and that is nothing, or
+/// only where they lie, of the first other that tells what they are.
 void add_pattern(Block& block, const UnitResult& unit, const std::vector<const CheckResult*>& failing)
 {
     if (failing.empty()) return;
     const bool explained = !main_reasons(unit).empty();
+    const CheckResult& shown = *failing.front();
+    const bool vague = shown.common.empty() || is_vague(shown.common_tells);
+    if (!shown.common.empty() && !(vague && explained) && !is_told(shown.common_tells, main_reasons(unit)))
+        block.sentence("pattern", shown.common);
+    if (explained || !vague) return;
     const auto telling = std::ranges::find_if(failing, [&](const CheckResult* check) {
-        return !check->common.empty() && !is_vague(check->common_tells) && (check == failing.front() || !explained);
+        return check != &shown && !check->common.empty() && !is_vague(check->common_tells);
     });
-    const CheckResult* const said = telling != failing.end() ? *telling : failing.front();
-    const bool vague = is_vague(said->common_tells);
-    if (said->common.empty() || (vague && explained) || is_told(said->common_tells, main_reasons(unit))) return;
-    block.sentence("pattern", (said == failing.front() ? "" : fmt::format("in {}: ", said->name)) + said->common);
+    if (telling != failing.end())
+        block.sentence(shown.common.empty() ? "pattern" : "",
+                       fmt::format("in {}: {}", (*telling)->name, (*telling)->common));
 }
 
 void add_reasons(Block& block, const UnitResult& unit)

@@ -30,6 +30,7 @@ Places all_places(const Profile& profile, std::uint32_t copies)
 void record_vertices(Recorder& out, const TexturedMesh& surface, const Places& places)
 {
     constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+    out.columns("coordinates", "s, t");
     for (const std::size_t i : places) {
         out.append("positions", i < surface.mesh.positions.size() ? surface.mesh.positions[i] : glm::vec3(nothing));
         out.append("normals", i < surface.normals.size() ? surface.normals[i] : glm::vec3(nothing));

@@ -21,9 +21,14 @@ glm::vec4 row_of(const std::optional<CurvedPoint>& seen)
     return seen ? glm::vec4(1, seen->place, seen->distance) : glm::vec4(0);
 }
 
-void record(Recorder& out, const glm::vec3& point)
+void name_columns(Recorder& out)
 {
     for (const char* const name : {"sphere", "cylinder"}) out.columns(name, "is seen, place/2, distance");
+}
+
+void record(Recorder& out, const glm::vec3& point)
+{
+    name_columns(out);
     out.append("sphere", row_of(ask<spherical_projection>(out, point)));
     out.append("cylinder", row_of(ask<cylindrical_projection>(out, point)));
 }
@@ -68,6 +73,7 @@ glm::vec3 random_point(Random& random)
 // A point that appears, and one that does not, in random order. Half of them lie a hair beside the plane of the eye.
 void record_behind(Random& random, Recorder& out)
 {
+    name_columns(out);
     for (int i = 0; i < 30; ++i) {
         glm::vec3 before = random_point(random);
         before.z = -std::abs(before.z) - 0.01F;

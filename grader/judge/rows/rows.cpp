@@ -77,7 +77,11 @@ std::vector<bool> counted_rows(const Check& check, const Tensor* margin, std::si
 /// "2" becomes "2 (orthogonal)" where the column's name has a word for it.
 void add_word(const std::string& column, double value, std::string& text)
 {
-    if (const std::string word = column_word(column, value).word; !word.empty()) text += " (" + word + ")";
+    const std::string word = column_word(column, value).word;
+    if (word == "true" || word == "false")
+        text = word;
+    else if (!word.empty())
+        text += " (" + word + ")";
 }
 
 void add_quantiles(std::vector<double> errors, std::map<std::string, double>& metrics)
@@ -202,7 +206,8 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
     const RowPairs pairs{check, student, expected, kind, columns};
     result.first_difference = row_difference(pairs, *first_wrong);
     const Difference shown = row_difference(pairs, *worst_wrong);
-    const std::string distance = worst.comparable && std::isfinite(worst.error)
+    // Of codes and counts the difference says nothing, or what one sees.
+    const std::string distance = worst.comparable && std::isfinite(worst.error) && is_real(expected_tensor.element)
                                      ? " (" + error_text(unit_of(check.tolerance), worst.error) + ")"
                                      : "";
     const std::string of = rows == 1 ? fmt::format("The only {} is wrong: ", kind.one)
