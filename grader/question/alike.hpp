@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 namespace umbral::grader {
@@ -28,6 +29,18 @@ inline constexpr double rounding = 1e-5;
 [[nodiscard]] inline bool alike_rows(std::span<const double> a, std::span<const double> b)
 {
     const double size = size_of(b);
+    return std::ranges::equal(a, b, [size](double x, double y) { return alike(x, y, size); });
+}
+
+[[nodiscard]] inline double length_of(std::span<const double> v)
+{
+    return std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
+}
+
+/// Is each component of `a` that of `b`, but for the rounding of vectors of their size?
+[[nodiscard]] inline bool alike_vectors(std::span<const double> a, std::span<const double> b)
+{
+    const double size = std::max(length_of(a), length_of(b));
     return std::ranges::equal(a, b, [size](double x, double y) { return alike(x, y, size); });
 }
 

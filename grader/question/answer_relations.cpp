@@ -102,18 +102,6 @@ std::optional<std::string> as_factor(std::span<const double> factors, std::span<
     return std::nullopt;
 }
 
-double length_of(std::span<const double> v)
-{
-    return std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
-}
-
-/// Is each component of `a` that of `b`, but for the rounding of vectors of their size?
-bool alike_vectors(std::span<const double> a, std::span<const double> b)
-{
-    const double size = std::max(length_of(a), length_of(b));
-    return std::ranges::equal(a, b, [size](double x, double y) { return alike(x, y, size); });
-}
-
 /// A vector that stands in the question, or its opposite.
 std::optional<std::string> argument(const WrongVectors& vectors, const std::vector<Fact>& facts)
 {

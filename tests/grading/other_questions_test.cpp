@@ -24,6 +24,11 @@ protected:
     MisunderstoodAngles() : SpoiltReference("projections/cameras") {}
 };
 
+class OppositeAnswers : public SpoiltReference {
+protected:
+    OppositeAnswers() : SpoiltReference("transforms/perpendicular") {}
+};
+
 /// The name of the first reason; nothing where none is told.
 std::string reason(const UnitResult& result)
 {
@@ -36,6 +41,17 @@ TEST_F(CopiedArguments, one_used_in_place_of_another_is_told)
         grade("middle(pixel.y, viewport.bottom, viewport.height)", "middle(pixel.y, viewport.bottom, viewport.width)");
     EXPECT_EQ(reason(result), "question: viewport.height taken as viewport.width");
     EXPECT_EQ(result.explanations.size(), 1U);
+}
+
+// The answer's sign is wrong: that the question's is misread says the same, and sends one to look at the wrong end.
+TEST_F(OppositeAnswers, are_no_misread_questions)
+{
+    GradeOptions options;
+    options.questions = true;
+    const UnitResult result = grade("return {u.y, -u.x};", "return {u.y, u.x};", options);
+    EXPECT_EQ(reason(result).find("question: "), std::string::npos) << reason(result);
+    EXPECT_EQ(check(result, "known/right").common,
+              "every wrong answer differs in y only, which is the right one with the opposite sign");
 }
 
 TEST_F(CopiedArguments, a_component_used_in_place_of_another_is_told)

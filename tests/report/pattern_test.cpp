@@ -30,6 +30,7 @@ TEST(Terminal, a_pattern_of_another_check_is_shown_where_no_reason_is_known)
     EXPECT_FALSE(has(printed(), "pattern")) << "a reason says more";
     unit.explanations.clear();
     EXPECT_TRUE(has(printed(), "in far away/m: every wrong answer is l"));
+    EXPECT_TRUE(has(printed(), "pattern   every wrong answer is larger")) << "and what is known of the one shown";
     unit.checks[1].common_tells = CommonTells::nearly;
     EXPECT_TRUE(has(printed(), "pattern   every wrong answer is larger")) << "of the check that is shown";
     unit.checks[0].common.clear();
