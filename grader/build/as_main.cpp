@@ -40,10 +40,19 @@ bool may_be_assembled(const char* file)
 int main(int count, char** arguments)
 {
     bool is_output = false;
+    bool has_looked = false;
     for (int i = 1; i < count; ++i) {
         const std::string_view word = arguments[i];
-        if (!is_output && word.ends_with(".s") && !may_be_assembled(arguments[i])) return 1;
+        if (!is_output && word.ends_with(".s")) {
+            if (!may_be_assembled(arguments[i])) return 1;
+            has_looked = true;
+        }
         is_output = word == "-o";
+    }
+    // Text that comes another way would not have been looked through.
+    if (!has_looked) {
+        std::fprintf(stderr, "umbral-as: expected a file that ends in .s\n");
+        return 1;
     }
     execv(assembler, arguments);
     std::fprintf(stderr, "umbral-as: %s cannot be run: %s\n", assembler, std::strerror(errno));
