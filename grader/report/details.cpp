@@ -154,7 +154,9 @@ void add_pattern(Block& block, const UnitResult& unit, const std::vector<const C
 void add_reasons(Block& block, const UnitResult& unit)
 {
     const char* label = "why";
-    for (const std::string& sentence : reason_sentences(unit.explanations)) {
+    for (std::string sentence : reason_sentences(unit.explanations)) {
+        // Hints are written in Markdown.
+        for (std::size_t at = 0; (at = sentence.find("**", at)) != std::string::npos;) sentence.erase(at, 2);
         block.sentence(label, sentence);
         label = "";
     }

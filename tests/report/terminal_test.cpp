@@ -76,6 +76,14 @@ TEST(Terminal, commands_name_the_workspace_that_was_checked)
     EXPECT_EQ(terminal_report(result, style), terminal_report(result, {}));
 }
 
+TEST(Terminal, a_hint_is_no_markdown)
+{
+    UnitResult unit = transposed();
+    unit.explanations = {{"mistake: a", "Red is the **least** significant: 2 * 3 = 6.", 0.95}};
+    const std::string report = terminal_report(submission_result("ana", {unit}), {});
+    EXPECT_TRUE(has(report, "Red is the least significant: 2 * 3 = 6.")) << report;
+}
+
 TEST(Terminal, a_rubric_stands_line_by_line)
 {
     UnitResult unit = transposed();
