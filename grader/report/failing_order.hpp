@@ -15,7 +15,7 @@ namespace umbral::grader {
 {
     constexpr std::array<std::size_t, 3> lengths{100, 250, 600};
     const bool known = check.first_difference && !check.first_difference->question.empty();
-    const std::size_t size = known ? check.first_difference->question.size() : lengths.back();
+    const std::size_t size = known ? check.first_difference->question.size() : lengths.back() + 1;
     return static_cast<int>(std::ranges::lower_bound(lengths, size) - lengths.begin());
 }
 
