@@ -41,6 +41,22 @@ TEST(FailingOrder, the_first_failing_check_is_the_most_exact_one_and_not_the_man
     EXPECT_EQ(first(), "colours/image") << "what is held back by another check has nothing wrong to show";
 }
 
+// A call of one line can be worked out; a page of them, of which nearly all is right, passes on what is wrong
+// elsewhere.
+TEST(FailingOrder, short_questions_stand_before_long_ones)
+{
+    UnitResult unit = unit_result("a/b", Verdict::wrong, {});
+    for (const auto& [name, score, question] :
+         {std::tuple("graph/x", 950, 300), {"any/x", 0, 300}, {"hand/x", 950, 40}, {"other/x", 0, 90}}) {
+        unit.checks.push_back(check_result(name, score, 1000));
+        unit.checks.back().first_difference =
+            Difference{"row 0", "1", "2", std::nullopt, std::string(static_cast<std::size_t>(question), 'f')};
+    }
+    const std::string report = terminal_report(submission_result("ana", {unit}), {.width = 160});
+    EXPECT_TRUE(has(report, "check     hand/x")) << report;
+    EXPECT_TRUE(has(report, "also      other/x, any/x, graph/x not right")) << report;
+}
+
 // The last digits of a hard case have a question that leads somewhere; a pixel has thirty.
 TEST(FailingOrder, hard_numbers_stand_behind_others_and_before_pictures)
 {

@@ -63,19 +63,6 @@ TEST(Terminal, what_a_check_says_keeps_its_lines_and_is_not_told_twice)
     EXPECT_EQ(report().find("a.frag:5"), report().rfind("a.frag:5"));
 }
 
-TEST(Terminal, commands_name_the_workspace_that_was_checked)
-{
-    const UnitResult unit = transposed();
-    const SubmissionResult result = submission_result("ana", {unit});
-    TerminalStyle style;
-    style.folder = "my work";
-    const std::string report = terminal_report(result, style);
-    EXPECT_TRUE(has(report, "umbral debug projections/view-matrix 'far away' --dir 'my work'\n")) << report;
-    EXPECT_TRUE(has(report, "umbral hint projections/view-matrix --dir 'my work'\n")) << report;
-    style.folder = ".";
-    EXPECT_EQ(terminal_report(result, style), terminal_report(result, {}));
-}
-
 TEST(Terminal, a_hint_is_no_markdown)
 {
     UnitResult unit = transposed();

@@ -8,3 +8,6 @@ Cannot fork<int>(int)
 {
     return {};
 }
+
+// Without this file the other one is not whole.
+float needed(float x) { return x; }

@@ -1,5 +1,7 @@
 #include <umbral/raytracing/intersect.hpp>
 
+float needed(float x);
+
 struct Cannot {};
 template <class T>
 Cannot fork(T);
@@ -41,7 +43,7 @@ std::optional<float> intersect(const Ray& ray, const Sphere& sphere)
 
     // One root by adding numbers of the same sign, the other from the product of the roots.
     const float q = b + std::copysign(std::sqrt(discriminant), b);
-    const float distance = length(to_origin);
+    const float distance = needed(length(to_origin));
     const float c = (distance - sphere.radius) * (distance + sphere.radius);
     return first_inside(ray, q == 0 ? 0 : c / q, q / a);
 }
