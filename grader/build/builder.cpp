@@ -61,6 +61,12 @@ void require_room(const fs::path& folder)
             fmt::format("nothing can be compiled in {}: {}", folder.parent_path().string(), std::strerror(failed)));
 }
 
+/// For another attempt: of the one before nothing is left.
+void empty(const ScratchFolder& work)
+{
+    for (const auto& entry : fs::directory_iterator(work.path())) fs::remove_all(entry.path());
+}
+
 /// Does this machine compile at all, now? A file that cannot fail, compiled like a student's. Throws std::runtime_error
 /// with what the compiler says: then it is the machine that fails, and nobody's work.
 void require_a_working_compiler(const Toolchain& tools, const Exercise& exercise)
@@ -87,7 +93,7 @@ Compilation compile_surely(const Toolchain& tools, const Exercise& exercise, con
     // With what the first attempt left on the disk: if it is full, it is full now.
     require_a_working_compiler(tools, exercise);
     const auto again = [&](Diagnostics diagnostics) {
-        for (const auto& entry : fs::directory_iterator(work.path())) fs::remove_all(entry.path());
+        empty(work);
         return compile(tools, exercise, files, work.path(), UnusedCode::kept, diagnostics);
     };
     compilation = again(Diagnostics::plain);
@@ -135,7 +141,7 @@ bool look_at(const Toolchain& tools, const Exercise& exercise, const fs::path& l
 Built without_unused_code(const Toolchain& tools, const Exercise& exercise, const Sources& files,
                           const ScratchFolder& work, const Built& refused)
 {
-    for (const auto& entry : fs::directory_iterator(work.path())) fs::remove_all(entry.path());
+    empty(work);
     const Compilation compilation = compile(tools, exercise, files, work.path(), UnusedCode::left_out);
     Built built;
     if (compilation.library && look_at(tools, exercise, *compilation.library, built)) return built;
@@ -158,7 +164,7 @@ std::optional<Built> without_a_copy(const Toolchain& tools, const Exercise& exer
             beside.push_back(name);
     if (beside.size() > most_tried) return std::nullopt;
     for (const std::string& copy : beside) {
-        for (const auto& entry : fs::directory_iterator(work.path())) fs::remove_all(entry.path());
+        empty(work);
         Sources others = files;
         others.erase(copy);
         const Compilation compilation = compile(tools, exercise, others, work.path());
