@@ -154,7 +154,6 @@ std::string refused_assembler(const std::string& output)
 
 std::string diagnostics_of(const Toolchain& tools, const ConfinedCommand& command, const ConfinedResult& result)
 {
-    if (std::string refused = refused_assembler(result.output); !refused.empty()) return refused;
     if (ran_out_of_processor_time(tools, result) || result.stopped == Stopped::out_of_wall_time)
         return out_of_time(tools, command);
     if (takes_too_much_disk(result))
@@ -166,7 +165,6 @@ std::string diagnostics_of(const Toolchain& tools, const ConfinedCommand& comman
 
 Outcome outcome_of(const Toolchain& tools, const ConfinedResult& result, const Sources& files)
 {
-    if (!refused_assembler(result.output).empty()) return Outcome::not_allowed;
     if (ran_out_of_processor_time(tools, result) || takes_too_much_disk(result)) return Outcome::too_expensive;
     // What the machine lacks may also show as an error in a student's line.
     const bool is_theirs = linker_refuses_files(result.output) ||
@@ -191,6 +189,9 @@ Compilation library_of(const Toolchain& tools, const Exercise& exercise, const S
     result.output =
         without_folders(std::move(result.output), {work, tools.framework, tools.student_header.parent_path()});
     if (result.exit_status != 0 || !fs::is_regular_file(fs::symlink_status(library))) {
+        // Of the tools' words this one is about the files alone.
+        if (std::string refused = refused_assembler(result.output); !refused.empty())
+            return {Outcome::not_allowed, {}, std::move(refused)};
         compilation.outcome = outcome_of(tools, result, files);
         compilation.lacks_machine = tools_are_in_trouble(result.output);
         compilation.diagnostics = diagnostics_of(tools, command, result);
