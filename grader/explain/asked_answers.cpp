@@ -106,12 +106,11 @@ void add_groups(const AskedCheck& asked, const QuestionLog& log, const Expected&
         const Tensor one = student->rows == 0 ? some_rows(right, {}) : some_rows(*student, rows.yours);
         const Tensor other = some_rows(right, rows.expected);
         const Tensor margin = has_margin ? some_rows(*expected.margin, rows.expected) : Tensor();
-        answers.all.push_back(
-            {question,
-             std::nullopt,
-             {to_doubles(one), to_doubles(other), !is_right(check, one, other, has_margin ? &margin : nullptr)}});
         const bool is_refused = std::ranges::any_of(rows.yours, [&](std::size_t row) { return refused.contains(row); });
-        if (is_refused) answers.all.back().answer = {{}, to_doubles(other), answers.all.back().answer.wrong, true};
+        answers.all.push_back({question,
+                               std::nullopt,
+                               {is_refused ? std::vector<double>() : to_doubles(one), to_doubles(other),
+                                !is_right(check, one, other, has_margin ? &margin : nullptr), is_refused}});
     }
     answers.optional = true;
 }
