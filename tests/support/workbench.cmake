@@ -7,7 +7,5 @@ if(NOT TARGET umbral-workbench)
     UMBRAL_BUILD_DIR="${PROJECT_BINARY_DIR}"
     UMBRAL_COMPILER="${CMAKE_CXX_COMPILER}" "UMBRAL_TEST_STUDENT_FLAGS=\"${flags}\"")
   target_link_libraries(umbral-workbench PUBLIC umbral-class umbral-validate umbral-manifest PRIVATE umbral-warnings)
-  add_dependencies(umbral-workbench umbral-spawner umbral-spawner-gl umbral-confine umbral-as umbral-inspect
-    umbral-unpack student-header framework-exports)
-  add_dependencies(umbral-workbench unit-raytracing-sphere unit-projections-view-matrix)
+  add_dependencies(umbral-workbench unit-kit unit-raytracing-sphere unit-projections-view-matrix)
 endif()
