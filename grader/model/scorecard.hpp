@@ -79,6 +79,9 @@ struct RubricScore {
     Millipoints max_score = 0;
 };
 
+/// Has the check lost points?
+[[nodiscard]] inline bool fails(const CheckResult& check) { return check.score < check.max_score; }
+
 struct UnitResult {
     std::string id;
     std::string digest;

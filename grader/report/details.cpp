@@ -19,8 +19,6 @@ constexpr int label_width = 10;
 constexpr std::size_t most_lines = 12;
 constexpr std::size_t most_bytes = 4096;
 
-bool fails(const CheckResult& check) { return check.score < check.max_score; }
-
 std::string words_and_points(const CheckResult& check)
 {
     return fmt::format("{}, {} of {} points", check_words(check), points_text(check.score),

@@ -8,8 +8,6 @@
 namespace umbral::grader {
 namespace {
 
-bool is_not_all_right(const CheckResult& check) { return check.score < check.max_score; }
-
 /// What makes `umbral debug` stop at the call behind a check's first wrong value.
 std::string row_option(const UnitResult& unit, const CheckResult& failing)
 {
@@ -43,7 +41,7 @@ std::vector<std::string> next_steps(const UnitResult& unit, const CheckResult* f
         case Verdict::not_implemented: break;
         default: {
             // To stop at a call that is answered rightly leads nowhere.
-            if (failing == nullptr ? std::ranges::any_of(unit.checks, is_not_all_right) : failing->beside) break;
+            if (failing == nullptr ? std::ranges::any_of(unit.checks, fails) : failing->beside) break;
             const std::string name =
                 failing != nullptr ? shell_word(failing->name.substr(0, failing->name.rfind('/'))) : "";
             steps.push_back(fmt::format("umbral debug {}{}{}{}{}", id, name.empty() ? "" : " ", name,

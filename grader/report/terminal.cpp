@@ -117,8 +117,8 @@ int failing_hidden(const SubmissionResult& submission)
     int count = 0;
     for (const UnitResult& unit : submission.units) {
         if (unit.verdict != Verdict::partial && unit.verdict != Verdict::wrong) continue;
-        count += static_cast<int>(std::ranges::count_if(
-            unit.checks, [](const CheckResult& check) { return check.hidden && check.score < check.max_score; }));
+        count += static_cast<int>(
+            std::ranges::count_if(unit.checks, [](const CheckResult& check) { return check.hidden && fails(check); }));
     }
     return count;
 }

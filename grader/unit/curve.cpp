@@ -98,7 +98,7 @@ std::optional<UnitCurve> curve_of(Worker& worker, const Exercise& exercise, cons
                                   const CaseResults& cases)
 {
     // Of work that is wrong where nothing is hard, nobody asks yet how accurate it is.
-    const auto is_wrong = [](const CheckResult& check) { return !check.hard && check.score < check.max_score; };
+    const auto is_wrong = [](const CheckResult& check) { return !check.hard && fails(check); };
     if (!exercise.knob || 2 * result.score < result.max_score || std::ranges::any_of(result.checks, is_wrong))
         return std::nullopt;
     const UnitKnob& knob = *exercise.knob;

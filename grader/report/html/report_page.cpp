@@ -55,9 +55,8 @@ Markup summary(const SubmissionResult& submission, const ReportOptions& options)
     Markup rows;
     for (std::size_t i = 0; i < submission.units.size(); ++i) rows += unit_row(submission.units[i], options, i + 1);
     const bool hidden_fails = std::ranges::any_of(submission.units, [](const UnitResult& unit) {
-        return !never_ran(unit.verdict) && std::ranges::any_of(unit.checks, [](const CheckResult& check) {
-            return check.hidden && check.score < check.max_score;
-        });
+        return !never_ran(unit.verdict) &&
+               std::ranges::any_of(unit.checks, [](const CheckResult& check) { return check.hidden && fails(check); });
     });
     Markup result = markup("<section class=\"summary\" aria-labelledby=\"title\">\n<h1 id=\"title\">{}</h1>\n",
                            submission.id.empty() ? "Your units" : submission.id);

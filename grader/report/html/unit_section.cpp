@@ -34,8 +34,6 @@ const char* heading_of_message(Verdict verdict)
     }
 }
 
-bool fails(const CheckResult& check) { return check.score < check.max_score; }
-
 bool has_evidence(const CheckDetail& detail) { return !std::holds_alternative<std::monostate>(detail.evidence); }
 
 /// The details of a unit's checks, as far as the edition may show them.
