@@ -164,6 +164,13 @@ std::optional<CommonCondition> common_condition(OtherCases& others, Samples& sam
     return found ? found : condition_of(others, samples, &AskedSample::by_answer);
 }
 
+/// Does it say how many times the right ones wrong answers are, or that these have the opposite sign?
+bool is_multiple(const AnswerPattern& answer)
+{
+    return answer.tells == CommonTells::multiple || answer.tells == CommonTells::opposite ||
+           answer.words.ends_with("opposite sign") || answer.words.find(" times the right one") != std::string::npos;
+}
+
 /// The same answers, their numbers called as in `named`: the same is said of them in the same words.
 AnswerTable named_as(const AnswerTable& named, AnswerTable answers)
 {
@@ -229,17 +236,6 @@ InCommon find_in_common(Worker& worker, const AskedCheck& asked, SpareTime& time
     InCommon found{common_condition(others, samples), common_answer(others, samples)};
     time.spend(worker.run_seconds() - before);
     return found;
-}
-
-namespace {
-
-/// Does it say how many times the right ones wrong answers are, or that these have the opposite sign?
-bool is_multiple(const AnswerPattern& answer)
-{
-    return answer.tells == CommonTells::multiple || answer.tells == CommonTells::opposite ||
-           answer.words.ends_with("opposite sign") || answer.words.find(" times the right one") != std::string::npos;
-}
-
 }
 
 AnswerPattern sentence_of(const InCommon& common)
