@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string_view>
 
 #include "build/real_paths.hpp"
 #include "run/confine.hpp"
@@ -60,6 +63,45 @@ std::string place_of(const Toolchain& tools, const std::filesystem::path& librar
     const ConfinedResult result = run_inspector(tools, library, arguments);
     if (result.exit_status != 0) return "";
     return result.output.substr(0, result.output.find('\n'));
+}
+
+namespace {
+
+/// Of "sphere.cpp:17:9", whose name may hold any letter.
+std::optional<SourcePlace> read_place(std::string_view text)
+{
+    const auto cut_number = [&]() -> std::optional<int> {
+        const std::size_t colon = text.rfind(':');
+        if (colon == std::string_view::npos) return std::nullopt;
+        int number = 0;
+        const auto [end, error] = std::from_chars(text.data() + colon + 1, text.data() + text.size(), number);
+        if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+        text = text.substr(0, colon);
+        return number;
+    };
+    const auto column = cut_number();
+    const auto line = column ? cut_number() : std::nullopt;
+    if (!line) return std::nullopt;
+    return SourcePlace{std::string(text), *line, *column};
+}
+
+}
+
+std::vector<std::optional<SourcePlace>> places_of(const Toolchain& tools, const std::filesystem::path& library,
+                                                  std::span<const std::uint32_t> addresses)
+{
+    std::vector<std::string> arguments{"places", library.string()};
+    for (const std::uint32_t address : addresses) arguments.push_back(std::to_string(address));
+    const ConfinedResult result = run_inspector(tools, library, arguments);
+    if (result.exit_status != 0) return {};
+    std::vector<std::optional<SourcePlace>> places;
+    std::string_view rest = result.output;
+    for (std::size_t i = 0; i < addresses.size(); ++i) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        places.push_back(read_place(rest.substr(0, end)));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return places;
 }
 
 }

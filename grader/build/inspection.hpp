@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,5 +47,20 @@ struct Inspection {
 /// `folder`'s own: "sphere.cpp:17"; empty if there is none.
 [[nodiscard]] std::string place_of(const Toolchain& tools, const std::filesystem::path& library,
                                    const std::vector<std::uint64_t>& frames);
+
+/// A place in a student's file.
+struct SourcePlace {
+    std::string file;
+    int line = 0;    ///< counted from 1
+    int column = 0;  ///< in bytes, counted from 1; 0 where nothing says it
+
+    friend auto operator<=>(const SourcePlace&, const SourcePlace&) = default;
+};
+
+/// For each of these return addresses in the library the place in a file of `folder`'s own that called, or nothing.
+/// Empty if the library cannot be read.
+[[nodiscard]] std::vector<std::optional<SourcePlace>> places_of(const Toolchain& tools,
+                                                                const std::filesystem::path& library,
+                                                                std::span<const std::uint32_t> addresses);
 
 }

@@ -9,6 +9,7 @@
 
 #include "explain/asked_alone.hpp"
 #include "explain/asked_answers.hpp"
+#include "explain/code_place.hpp"
 #include "explain/common_condition.hpp"
 #include "explain/other_questions.hpp"
 #include "explain/practice_example.hpp"
@@ -209,6 +210,7 @@ void add_questions(Worker& worker, const Exercise& exercise, const Built& built,
     }
     drop_negated_questions(result);
     add_simplest_question(worker, exercise, built, cases, result);
+    add_code_place(worker, exercise, built, cases, result);
     // `umbral debug` has other inputs: no row of its own is meant.
     for (CheckResult& check : result.checks)
         if (check.practice_example) check.practice_example->cell.reset();

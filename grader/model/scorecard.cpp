@@ -45,6 +45,16 @@ json difference(const std::optional<Difference>& value)
     return result;
 }
 
+json code_place(const CodePlace& value)
+{
+    json result{{"file", text(value.file)},
+                {"line", value.line},
+                {"text", text(value.text)},
+                {"sentence", text(value.sentence)}};
+    if (value.column > 0) result["column"] = value.column;
+    return result;
+}
+
 /// What a student's own report shows beyond the class's.
 enum class Detail { for_class, for_report };
 
@@ -65,6 +75,7 @@ json check(const CheckResult& value, Detail detail)
     if (value.simplest) result["simplest"] = difference(value.simplest);
     if (!value.common.empty()) result["common"] = text(value.common);
     if (value.common_tells != CommonTells::other) result["common_tells"] = to_string(value.common_tells);
+    if (value.code_place) result["code_place"] = code_place(*value.code_place);
     if (!value.practice.empty()) result["practice"] = text(value.practice);
     if (value.practice_example) result["practice_example"] = difference(value.practice_example);
     if (value.held_back) result["held_back"] = true;

@@ -25,6 +25,15 @@ struct Difference {
     std::vector<std::size_t> others{};  ///< further cells that it may as well belong to; in no file
 };
 
+/// A line of the student's own file that wrong answers come through, and right ones do not, or the reverse.
+struct CodePlace {
+    std::string file;
+    int line = 0;          ///< counted from 1
+    int column = 0;        ///< of what runs there in `text`, in bytes, counted from 1; 0 where nothing says it
+    std::string text;      ///< the line, without what it is indented by
+    std::string sentence;  ///< "all 41 wrong answers come through here, and none of the 359 right ones"
+};
+
 /// What a check found.
 struct CheckResult {
     std::string name;
@@ -43,7 +52,8 @@ struct CheckResult {
     std::optional<Difference> first_difference;
     std::string common{};  ///< "wrong wherever …": what all questions with wrong answers share; empty if nothing does
     CommonTells common_tells = CommonTells::other;
-    std::string practice{};  ///< the same of a hidden check, about inputs that are not graded and the same for all
+    std::optional<CodePlace> code_place{};  ///< of a hidden check, with practice inputs
+    std::string practice{};  ///< as `common`, of a hidden check, about inputs that are not graded and the same for all
     std::optional<Difference> practice_example{};  ///< of a hidden check, the first wrong value with such inputs
     std::uint64_t practice_seed = 0;               ///< of its inputs; in no file
     bool held_back = false;  ///< right by itself; it earned less for what it hangs on (Check::with)

@@ -66,6 +66,17 @@ std::optional<Difference> difference(const Field& field)
     return result;
 }
 
+CodePlace code_place(const Field& field)
+{
+    constexpr int most = std::numeric_limits<int>::max();
+    field.allow_only({"file", "line", "column", "text", "sentence"});
+    CodePlace result{text(field.member("file")), static_cast<int>(field.member("line").integer(1, most)), 0,
+                     text(field.member("text")), text(field.member("sentence"))};
+    if (const Field column = field.member("column"); column.given())
+        result.column = static_cast<int>(column.integer(1, most));
+    return result;
+}
+
 CheckResult check(const Field& field)
 {
     field.allow_only({"name",      "kind",         "hard",
@@ -75,7 +86,8 @@ CheckResult check(const Field& field)
                       "common",    "common_tells", "held_back",
                       "beside",    "simplest",     "about",
                       "headline",  "sketch",       "artefacts",
-                      "seeds",     "practice",     "practice_example"});
+                      "seeds",     "practice",     "practice_example",
+                      "code_place"});
     CheckResult result;
     result.name = text(field.member("name"));
     result.kind = kind(field.member("kind"));
@@ -95,6 +107,7 @@ CheckResult check(const Field& field)
     if (const Field common = field.member("common"); common.given()) result.common = text(common);
     if (const Field tells = field.member("common_tells"); tells.given())
         result.common_tells = named(tells, common_tells_from, "what wrong answers share");
+    if (const Field place = field.member("code_place"); place.given()) result.code_place = code_place(place);
     if (const Field practice = field.member("practice"); practice.given()) result.practice = text(practice);
     if (const Field example = field.member("practice_example"); example.given())
         result.practice_example = difference(example);

@@ -149,6 +149,26 @@ void add_pattern(Block& block, const UnitResult& unit, const std::vector<const C
                        fmt::format("in {}: {}", (*telling)->name, (*telling)->common));
 }
 
+/// The line of the student's own file where wrong answers part from right ones, of the first check of which it is known.
+void add_code_place(Block& block, const UnitResult& unit, const CheckResult* shown, const Paint& paint)
+{
+    const auto known = std::ranges::find_if(unit.checks, [](const CheckResult& one) { return one.code_place.has_value(); });
+    if (known == unit.checks.end()) return;
+    const CodePlace& place = *known->code_place;
+    const std::string of_check = known->hidden   ? "on practice inputs, "
+                                 : &*known == shown ? ""
+                                                    : fmt::format("in {}, ", known->name);
+    block.sentence("code", fmt::format("{}:{}", place.file, place.line));
+    const std::string text = paint.safe(place.text);
+    const bool fits = display_width(text) + 2 <= block.room();
+    block.labelled("", {"  " + shorten(text, block.room() - 2, paint.ellipsis())});
+    if (fits && place.column > 1) {
+        const std::string before = paint.safe(std::string_view(place.text).substr(0, static_cast<std::size_t>(place.column) - 1));
+        block.labelled("", {std::string(static_cast<std::size_t>(display_width(before)) + 2, ' ') + paint(Tone::quiet, "^")});
+    }
+    block.sentence("", of_check + place.sentence);
+}
+
 void add_reasons(Block& block, const UnitResult& unit)
 {
     const char* label = "why";
@@ -238,6 +258,7 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint, 
             "Every check that you can see is right, but a hidden one is not. Its inputs are others of the kind "
             "that is told below.");
     if (ran) add_pattern(block, unit, failing);
+    if (ran) add_code_place(block, unit, shown, paint);
     add_reasons(block, unit);
     if (ran) add_others(block, unit, failing, paint);
     add_rubric(block, unit);

@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 #include <umbral/core/not_implemented_count.hpp>
 #include <umbral/core/student_error.hpp>
+#include <umbral/record/block_trace.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
 #include <umbral/record/questions.hpp>
@@ -276,9 +277,17 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
         companion.emplace(*one, Case{what.name, Random(*job.beside), what.sources, Variation(*job.beside)});
         progress.at_each_question([&] { companion->take_turn(); });
     }
+    std::optional<BlockTrace> trace;
+    if (job.inquiry.blocks) {
+        trace.emplace(static_cast<std::uintptr_t>(header.library_base));
+        questions.at_each_question([&] { trace->next_question(); });
+    }
     run_case(*one, what, recorder);
     recorder.finish();
-    finish(header, recorder.tensors());
+    if (!trace) finish(header, recorder.tensors());
+    Recorder::Tensors tensors = recorder.tensors();
+    trace->write(tensors);
+    finish(header, tensors);
 }
 
 }

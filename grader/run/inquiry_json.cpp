@@ -7,6 +7,7 @@ namespace umbral::grader {
 nlohmann::json to_json(const Inquiry& inquiry)
 {
     nlohmann::json json = {{"questions", inquiry.questions},
+                           {"blocks", inquiry.blocks},
                            {"wanted", inquiry.wanted},
                            {"in_full", inquiry.in_full},
                            {"grain", {inquiry.grain.bits, inquiry.grain.smaller}}};
@@ -22,6 +23,7 @@ nlohmann::json to_json(const Inquiry& inquiry)
 Inquiry inquiry_from_json(const nlohmann::json& json)
 {
     Inquiry inquiry{.questions = json.at("questions"),
+                    .blocks = json.at("blocks"),
                     .wanted = json.at("wanted"),
                     .in_full = json.at("in_full"),
                     .grain = {json.at("grain").at(0), json.at("grain").at(1)}};
@@ -32,6 +34,6 @@ Inquiry inquiry_from_json(const nlohmann::json& json)
     return inquiry;
 }
 
-bool asks_anything(const Inquiry& inquiry) { return inquiry.questions || !inquiry.wanted.empty(); }
+bool asks_anything(const Inquiry& inquiry) { return inquiry.questions || inquiry.blocks || !inquiry.wanted.empty(); }
 
 }

@@ -125,6 +125,11 @@ public:
     [[nodiscard]] RunOutcome run_told(const Exercise& exercise, const Built& built, const std::string& case_name,
                                       std::uint64_t seed);
 
+    /// Runs one case with what build_traced (build/traced.hpp) made of a student's files, and has it say as well
+    /// through which blocks of its code each question went.
+    [[nodiscard]] RunOutcome run_traced(const Exercise& exercise, const Built& traced, const std::string& case_name,
+                                        std::uint64_t seed);
+
     /// Runs one case with a student's build on inputs of this grain, of which is read what `expected` holds too.
     /// Nothing is kept.
     [[nodiscard]] RunOutcome run_coarse(const Exercise& exercise, const Built& built, const std::string& case_name,

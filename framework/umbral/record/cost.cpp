@@ -1,4 +1,5 @@
 #include <optional>
+#include <umbral/record/block_trace.hpp>
 #include <umbral/record/cost.hpp>
 
 namespace umbral {
@@ -6,6 +7,7 @@ namespace {
 
 // Of the run, which has one thread.
 std::uint64_t blocks = 0;
+BlockTrace* followed_by = nullptr;
 std::optional<CostLimit> limited;
 
 }
@@ -13,6 +15,8 @@ std::optional<CostLimit> limited;
 std::uint64_t blocks_executed() noexcept { return blocks; }
 
 void count_blocks(std::uint64_t more) noexcept { blocks += more; }
+
+void follow_blocks(BlockTrace* trace) noexcept { followed_by = trace; }
 
 void limit_costs(CostLimit limit) { limited = std::move(limit); }
 
@@ -27,6 +31,7 @@ bool cost_is_wanted(const Recorder& out, std::string_view table)
 extern "C" void __sanitizer_cov_trace_pc()
 {
     ++blocks;
+    if (followed_by != nullptr) followed_by->pass(reinterpret_cast<std::uintptr_t>(__builtin_return_address(0)));
 }  // NOLINT(bugprone-reserved-identifier): the compiler chose the name
 
 }

@@ -21,6 +21,10 @@ namespace umbral {
 /// Adds to blocks_executed.
 void count_blocks(std::uint64_t blocks) noexcept;
 
+class BlockTrace;
+/// From now on each block that runs is told to `trace`; null: to nobody.
+void follow_blocks(BlockTrace* trace) noexcept;
+
 /// How many pieces of memory counted code has from `new` at once, from here on. One at a time.
 class AllocationCount {
 public:

@@ -38,6 +38,7 @@ Tensor table(Element element, std::span<const Number> numbers, std::size_t colum
 void Questions::begin()
 {
     ++count_;
+    if (noted_) noted_();
     if (inquiry_.stop && *inquiry_.stop + 1 == count_) question_reached();
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -20,6 +21,7 @@ namespace umbral {
 /// asks a trusted solution.
 struct Inquiry {
     bool questions = false;               ///< which question led to which row, and the numbers in it
+    bool blocks = false;                  ///< through which blocks of counted code each went (block_trace.hpp)
     std::vector<std::uint32_t> wanted{};  ///< questions, counted from 0, that are written as code
     bool in_full = false;                 ///< … with all elements of their lists
     /// Asked in place of the driver's own, each in all calls of its function: the case runs once for each, and what it
@@ -63,6 +65,9 @@ public:
     {
         return instead_ && instead_->means(function);
     }
+
+    /// Has `noted` called whenever a question begins.
+    void at_each_question(std::function<void()> noted) { noted_ = std::move(noted); }
 
     /// The next question begins. Rows that are recorded from now on are its answers.
     void begin();
@@ -120,6 +125,7 @@ private:
     };
 
     Inquiry inquiry_;
+    std::function<void()> noted_{};
     std::optional<AskedInstead> instead_;
     std::uint32_t count_ = 0;       ///< of questions begun
     std::uint32_t whole_from_ = 0;  ///< the questions that the last picture answered: from this one …

@@ -6,6 +6,7 @@
 #include "report/check_words.hpp"
 #include "report/html/bars.hpp"
 #include "report/html/sections.hpp"
+#include "report/layout.hpp"
 #include "report/paint.hpp"
 
 namespace umbral::grader::html {
@@ -81,6 +82,22 @@ std::string sentence(std::string text)
     return text + ".";
 }
 
+/// The line of the student's own file where wrong answers part from right ones.
+Markup code_place(const CheckResult& check)
+{
+    if (!check.code_place) return {};
+    const CodePlace& place = *check.code_place;
+    const std::string mark = place.column > 1 ? "\n" + std::string(static_cast<std::size_t>(
+                                                           display_width(std::string_view(place.text).substr(
+                                                               0, static_cast<std::size_t>(place.column) - 1))),
+                                                       ' ') + "^"
+                                              : "";
+    return markup(
+        "<div class=\"simplest\"><h4>Where wrong answers part from right ones: {}, line {}</h4>\n<pre><code>{}{}</code></pre>\n"
+        "<p>{}</p></div>\n",
+        place.file, place.line, place.text, mark, sentence(check.hidden ? "on practice inputs, " + place.sentence : place.sentence));
+}
+
 struct Show {
     const Markup& anchor;
 
@@ -121,6 +138,7 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
     if (!check.common.empty()) result += markup("<p class=\"common\">{}</p>\n", sentence(check.common));
     if (!check.practice.empty())
         result += markup("<p class=\"common\">{}</p>\n", sentence("on practice inputs: " + check.practice));
+    result += code_place(check);
     result += wrong_question("A wrong value on practice inputs", check.practice_example);
     result += wrong_question("The simplest question with a wrong answer", check.simplest);
     if (std::holds_alternative<std::monostate>(detail.evidence)) result += first_difference(check);

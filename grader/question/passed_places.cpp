@@ -1,0 +1,88 @@
+#include "question/passed_places.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace umbral::grader {
+namespace {
+
+constexpr double least_on_their_side = 0.97;
+constexpr double most_strays = 0.1;
+constexpr double most_strays_per_wrong = 1.0 / 3;
+
+/// Wrong ones on the side where they belong, and right ones there.
+struct Sides {
+    double wrong = 0;
+    double right = 0;
+};
+
+Sides sides_of(const PartingPlace& place)
+{
+    const std::size_t wrong = place.of_wrong ? place.wrong_through : place.wrong - place.wrong_through;
+    const std::size_t right = place.of_wrong ? place.right_through : place.right - place.right_through;
+    return {static_cast<double>(wrong), static_cast<double>(right)};
+}
+
+}
+
+PartingPlace place_among(const PartingPlace& place, const PassedPlaces& others)
+{
+    PartingPlace result{place.place, place.of_wrong};
+    for (std::size_t i = 0; i < others.wrong.size(); ++i) {
+        const bool through = std::ranges::find(others.places[i], place.place) != others.places[i].end();
+        ++(others.wrong[i] ? result.wrong : result.right);
+        if (through) ++(others.wrong[i] ? result.wrong_through : result.right_through);
+    }
+    return result;
+}
+
+bool parts(const PartingPlace& place)
+{
+    const auto [wrong, strays] = sides_of(place);
+    const auto all_wrong = static_cast<double>(place.wrong);
+    const auto all_right = static_cast<double>(place.right);
+    if (wrong >= least_on_their_side * all_wrong && strays <= (1 - least_on_their_side) * all_right) return true;
+    return wrong == all_wrong && strays <= most_strays * all_right && strays <= most_strays_per_wrong * all_wrong;
+}
+
+double error_of(const PartingPlace& place)
+{
+    const auto share = [](double some, std::size_t all) {
+        return all == 0 ? 0.0 : some / static_cast<double>(all);
+    };
+    const auto [wrong, strays] = sides_of(place);
+    return share(static_cast<double>(place.wrong) - wrong, place.wrong) + share(strays, place.right);
+}
+
+std::vector<PartingPlace> parting_places(const PassedPlaces& seen)
+{
+    const auto wrong = static_cast<std::size_t>(std::ranges::count(seen.wrong, true));
+    if (wrong < least_parted_questions || seen.wrong.size() - wrong < least_parted_questions) return {};
+    std::map<std::uint32_t, PartingPlace> all;
+    for (std::size_t i = 0; i < seen.wrong.size(); ++i)
+        for (const std::uint32_t place : seen.places[i]) {
+            PartingPlace& one = all.try_emplace(place, PartingPlace{place}).first->second;
+            ++(seen.wrong[i] ? one.wrong_through : one.right_through);
+        }
+    std::vector<PartingPlace> best;
+    const auto offer = [&](PartingPlace place) {
+        if (!parts(place) || std::ranges::find(best, place) != best.end()) return;
+        if (!best.empty() && error_of(place) < error_of(best.front())) best.clear();
+        if (best.empty() || error_of(place) == error_of(best.front())) best.push_back(place);
+    };
+    // In the order in which the questions of that kind reach them.
+    for (const bool of_wrong : {true, false})
+        for (std::size_t i = 0; i < seen.wrong.size(); ++i) {
+            if (seen.wrong[i] != of_wrong) continue;
+            for (const std::uint32_t number : seen.places[i]) {
+                PartingPlace place = all.at(number);
+                place.of_wrong = of_wrong;
+                place.wrong = wrong;
+                place.right = seen.wrong.size() - wrong;
+                offer(place);
+            }
+        }
+    return best;
+}
+
+}

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace umbral::grader {
+
+/// Questions beside each other, and through which places of a student's code each went.
+struct PassedPlaces {
+    std::vector<bool> wrong{};                         ///< has the question a wrong answer?
+    std::vector<std::vector<std::uint32_t>> places{};  ///< in the order in which they were first reached
+};
+
+/// A place that questions with wrong answers come through, and those with right ones do not, or the reverse.
+struct PartingPlace {
+    std::uint32_t place = 0;
+    bool of_wrong = true;            ///< it is the wrong ones that come through
+    std::size_t wrong = 0;           ///< questions with wrong answers …
+    std::size_t wrong_through = 0;   ///< … and those of them that come through
+    std::size_t right = 0;
+    std::size_t right_through = 0;
+
+    friend bool operator==(const PartingPlace&, const PartingPlace&) = default;
+};
+
+/// So many questions of either kind there must be: fewer are parted by chance.
+inline constexpr std::size_t least_parted_questions = 3;
+
+/// The places that part wrong from right ones best, and all alike: first those that wrong ones come through, in the
+/// order in which they are reached. All but 3 % must lie on their side; where all wrong ones do, a tenth of the right
+/// ones may lie there too, a third as many as there are wrong ones.
+[[nodiscard]] std::vector<PartingPlace> parting_places(const PassedPlaces& seen);
+
+/// The same place among other questions.
+[[nodiscard]] PartingPlace place_among(const PartingPlace& place, const PassedPlaces& others);
+
+/// Does it part them so well?
+[[nodiscard]] bool parts(const PartingPlace& place);
+
+/// How many are on the wrong side: the shares of wrong and of right ones added up.
+[[nodiscard]] double error_of(const PartingPlace& place);
+
+}
