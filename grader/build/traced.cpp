@@ -9,7 +9,7 @@ std::optional<Built> build_traced(const Toolchain& tools, const Exercise& exerci
     if (!exercise.is_cpp() || built.files.empty()) return std::nullopt;
     Toolchain changed = tools;
     std::ranges::replace_if(
-        changed.flags, [](const std::string& flag) { return flag.starts_with("-O"); }, std::string("-O0"));
+        changed.flags, [](const std::string& flag) { return flag.starts_with("-O"); }, std::string("-Og"));
     changed.budget = built.budget;
     Exercise counted = exercise;
     counted.counts_work = true;

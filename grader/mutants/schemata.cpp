@@ -120,6 +120,23 @@ private:
 
 }
 
+std::string with_change(const std::string& source, const Mutant& mutant)
+{
+    const std::string replacement = flat(mutant.replacement);
+    const bool inserted = mutant.form == Mutant::Form::inserted;
+    const std::size_t end = inserted ? mutant.begin : mutant.end;
+    const std::string_view original = std::string_view(source).substr(mutant.begin, end - mutant.begin);
+    std::string changed = source.substr(0, mutant.begin);
+    switch (mutant.form) {
+        case Mutant::Form::expression: changed += "(" + replacement + ")"; break;
+        case Mutant::Form::statement: changed += ";"; break;
+        case Mutant::Form::inserted:
+        case Mutant::Form::instead: changed += replacement; break;
+    }
+    changed.append(static_cast<std::size_t>(std::ranges::count(original, '\n')), '\n');
+    return changed + source.substr(end);
+}
+
 std::string with_mutants(const std::string& source, std::span<const Mutant> mutants)
 {
     // A change of another type would change the original too: both sides of a ?: become one type.

@@ -26,4 +26,7 @@ inline constexpr std::size_t first_mutant_line = 1'000'000;
 /// `{ if (!umbral_mutant(18)) statement }`. Mutants in the order of find_mutants.
 [[nodiscard]] std::string with_mutants(const std::string& source, std::span<const Mutant> mutants);
 
+/// A source with one mutant in the place of the original. Lines behind it keep their numbers.
+[[nodiscard]] std::string with_change(const std::string& source, const Mutant& mutant);
+
 }

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace umbral::grader {
 namespace {
 
 constexpr double least_on_their_side = 0.97;
 constexpr double most_strays = 0.1;
+constexpr std::size_t most_parting_places = 16;
 constexpr double most_strays_per_wrong = 1.0 / 3;
 
 /// Wrong ones on the side where they belong, and right ones there.
@@ -66,15 +68,17 @@ std::vector<PartingPlace> parting_places(const PassedPlaces& seen)
         }
     std::vector<PartingPlace> best;
     const auto offer = [&](PartingPlace place) {
-        if (!parts(place) || std::ranges::find(best, place) != best.end()) return;
+        if (!parts(place)) return;
         if (!best.empty() && error_of(place) < error_of(best.front())) best.clear();
         if (best.empty() || error_of(place) == error_of(best.front())) best.push_back(place);
     };
     // In the order in which the questions of that kind reach them.
-    for (const bool of_wrong : {true, false})
+    for (const bool of_wrong : {true, false}) {
+        std::set<std::uint32_t> offered;
         for (std::size_t i = 0; i < seen.wrong.size(); ++i) {
             if (seen.wrong[i] != of_wrong) continue;
             for (const std::uint32_t number : seen.places[i]) {
+                if (!offered.insert(number).second) continue;
                 PartingPlace place = all.at(number);
                 place.of_wrong = of_wrong;
                 place.wrong = wrong;
@@ -82,6 +86,8 @@ std::vector<PartingPlace> parting_places(const PassedPlaces& seen)
                 offer(place);
             }
         }
+    }
+    if (best.size() > most_parting_places) best.resize(most_parting_places);
     return best;
 }
 

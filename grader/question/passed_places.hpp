@@ -21,14 +21,12 @@ struct PartingPlace {
     std::size_t wrong_through = 0;   ///< … and those of them that come through
     std::size_t right = 0;
     std::size_t right_through = 0;
-
-    friend bool operator==(const PartingPlace&, const PartingPlace&) = default;
 };
 
 /// So many questions of either kind there must be: fewer are parted by chance.
 inline constexpr std::size_t least_parted_questions = 3;
 
-/// The places that part wrong from right ones best, and all alike: first those that wrong ones come through, in the
+/// The places that part wrong from right ones best, and all alike, at most sixteen: first those that wrong ones come through, in the
 /// order in which they are reached. All but 3 % must lie on their side; where all wrong ones do, a tenth of the right
 /// ones may lie there too, a third as many as there are wrong ones.
 [[nodiscard]] std::vector<PartingPlace> parting_places(const PassedPlaces& seen);

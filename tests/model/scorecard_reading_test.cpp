@@ -28,6 +28,7 @@ UnitResult everything()
     check.seeds = {0, std::numeric_limits<std::uint64_t>::max()};
     check.message = " spaces at its ends ";
     check.error = 0.1 + 0.2;
+    check.code_place = CodePlace{"sphere.cpp", 17, 5, "return t;", "all 4 wrong answers come through here"};
     check.metrics["tiny"] = std::numeric_limits<double>::denorm_min();
     return unit;
 }
@@ -57,6 +58,8 @@ TEST(UnitResultFromJson, gives_back_every_field)
     EXPECT_EQ(read.rubric[0].score, 500);
     EXPECT_EQ(read.rubric[0].max_score, 1500);
     EXPECT_EQ(read.checks[0].seeds, everything().checks[0].seeds);
+    ASSERT_TRUE(read.checks[0].code_place);
+    EXPECT_EQ(read.checks[0].code_place->column, 5);
     EXPECT_EQ(read.checks[0].sketch, everything().checks[0].sketch);
     EXPECT_EQ(read.checks[0].unjudged, Unjudged::not_run);
     EXPECT_EQ(read.checks[0].error, everything().checks[0].error);
@@ -109,7 +112,8 @@ TEST(UnitResultFromJson, refuses_whatever_to_json_does_not_write)
     const json whole = to_json(everything());
     std::vector<json::json_pointer> values;
     find_values(whole, json::json_pointer(), values);
-    const std::vector<std::string> optional{"sketch", "seeds", "ambiguous", "unscored", "unjudged", "rubric", "curve"};
+    const std::vector<std::string> optional{"sketch", "seeds", "ambiguous", "unscored", "unjudged", "rubric", "curve",
+                                            "code_place", "column"};
     int refused = 0;
     for (const json::json_pointer& place : values) {
         json other = whole;

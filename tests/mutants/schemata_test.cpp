@@ -79,6 +79,18 @@ TEST(Schemata, lines_of_diagnostics_tell_the_mutant)
         << text;
 }
 
+TEST(Schemata, one_change_leaves_the_lines_behind_it_where_they_are)
+{
+    const std::string source = "a = b +\n    c;\nd = e;\n";
+    EXPECT_EQ(with_change(source, expression(1, 4, 13, "b - c")), "a = (b - c)\n;\nd = e;\n");
+    Mutant mutant = expression(1, 15, 21, "");
+    mutant.form = Mutant::Form::statement;
+    EXPECT_EQ(with_change(source, mutant), "a = b +\n    c;\n;\n");
+    mutant = expression(1, 15, 15, "return;");
+    mutant.form = Mutant::Form::inserted;
+    EXPECT_EQ(with_change(source, mutant), "a = b +\n    c;\nreturn;d = e;\n");
+}
+
 TEST(Equivalents, are_about_a_line_and_a_change)
 {
     const umbral::test::TemporaryFolder folder;

@@ -46,10 +46,11 @@ public:
         built_.library = std::move(library);
     }
 
-    /// Of a library's mutants `chosen`; nothing if they lose no points.
-    std::optional<UnforeseenBug> explain(unsigned chosen)
+    /// Of a library's mutants `chosen`; nothing if they lose no points. `files` are as this mutant has them, or none.
+    std::optional<UnforeseenBug> explain(unsigned chosen, Sources files = {}, std::size_t line = 0)
     {
         built_.mutant = chosen;
+        built_.files = std::move(files);
         const UnitResult result = grade_built(worker_, exercise_, built_, options_for(seen_inputs));
         if (result.verdict == Verdict::grader_fault) throw std::runtime_error(result.message);
         if (result.score == result.max_score) return std::nullopt;
@@ -60,6 +61,8 @@ public:
         bug.has_question = std::ranges::any_of(result.checks, [](const CheckResult& check) {
             return check.first_difference && !check.first_difference->question.empty();
         });
+        for (const CheckResult& check : result.checks)
+            if (check.code_place) bug.said.push_back(tried_place(check, line));
         if (!main_reasons(result).empty()) bug.said.push_back(tried_reason(result));
         for (std::size_t i = 0; i < result.checks.size(); ++i)
             if (!result.checks[i].common.empty() || !result.checks[i].practice.empty())
@@ -68,6 +71,17 @@ public:
     }
 
 private:
+    /// Is the place that is told the changed one?
+    static ToldSentence tried_place(const CheckResult& check, std::size_t changed)
+    {
+        constexpr int near = 2;
+        const CodePlace& place = *check.code_place;
+        const bool is_near = std::abs(place.line - static_cast<int>(changed)) <= near;
+        return {ToldSentence::Kind::place, check.name,
+                fmt::format("{}:{}, {}: {}", place.file, place.line, place.sentence, place.text),
+                is_near ? Truth::holds : Truth::untried};
+    }
+
     /// Is one of the reasons, if several fit alike, given with other inputs too?
     ToldSentence tried_reason(const UnitResult& result)
     {
@@ -150,9 +164,10 @@ std::vector<UnforeseenBug> explain_unforeseen(Worker& worker, const Exercise& ex
                                               const std::filesystem::path& finder, const UnforeseenPlan& plan)
 {
     const ScratchFolder work(worker.tools().cache);
-    const std::filesystem::path source = reference_files(worker.tools().reference, exercise).begin()->second;
+    const Sources sources = reference_sources(worker.tools().reference, exercise);
+    const auto& [name, source] = *sources.begin();
     const BuiltMutants built =
-        build_mutants(worker.tools(), exercise, MutantFamily::syntax, finder, read_text(source), work.path());
+        build_mutants(worker.tools(), exercise, MutantFamily::syntax, finder, source, work.path());
     Random random(case_seed("unforeseen", "", "", exercise.id, "", plan.seed));
     const std::vector<Mutant> mutants = shuffled(built.mutants, random);
     Trial trial(worker, exercise, built.library);
@@ -161,7 +176,9 @@ std::vector<UnforeseenBug> explain_unforeseen(Worker& worker, const Exercise& ex
     for (unsigned found = 0, tried = 0; found < plan.bugs && tried < most_tries * plan.bugs && next < mutants.size();
          ++tried, ++next) {
         worker.let_go();
-        std::optional<UnforeseenBug> bug = trial.explain(mutants[next].number);
+        Sources files = sources;
+        files[name] = with_change(source, mutants[next]);
+        std::optional<UnforeseenBug> bug = trial.explain(mutants[next].number, std::move(files), mutants[next].line);
         if (!bug) continue;
         bug->bug = in_words(mutants[next]);
         bugs.push_back(std::move(*bug));

@@ -24,6 +24,8 @@ struct Counts {
     std::size_t reason = 0;
     std::size_t condition = 0;
     std::size_t answer = 0;
+    std::size_t place = 0;
+    std::size_t elsewhere = 0;  ///< a place that is not the changed one
     std::size_t told = 0;
     std::size_t wrong = 0;
     std::size_t untried = 0;
@@ -48,6 +50,10 @@ Counts counted(const std::vector<UnforeseenBug>& bugs, Meant meant)
         counts.reason += has(ToldSentence::Kind::reason) ? 1 : 0;
         counts.condition += has(ToldSentence::Kind::condition) ? 1 : 0;
         counts.answer += has(ToldSentence::Kind::answer) ? 1 : 0;
+        counts.place += has(ToldSentence::Kind::place) ? 1 : 0;
+        counts.elsewhere += std::ranges::any_of(bug.said, [](const ToldSentence& one) {
+            return one.kind == ToldSentence::Kind::place && one.truth == Truth::untried;
+        }) ? 1 : 0;
         counts.told += says(bug, Truth::holds) ? 1 : 0;
         counts.wrong += says(bug, Truth::fails) ? 1 : 0;
         counts.untried += says(bug, Truth::untried) ? 1 : 0;
@@ -60,8 +66,8 @@ std::string line(const char* name, const Counts& counts)
     const auto share = [&](std::size_t part) {
         return fmt::format("{:>8} {:>5.1f} %", part, percent(part, counts.all));
     };
-    return fmt::format("{:<22}{:>6}{:>9}{}{}{}{}{}{}{}\n", name, counts.all, counts.stopped, share(counts.question),
-                       share(counts.reason), share(counts.condition), share(counts.answer), share(counts.told),
+    return fmt::format("{:<22}{:>6}{:>9}{}{}{}{}{}{}{}{}{}\n", name, counts.all, counts.stopped, share(counts.question),
+                       share(counts.reason), share(counts.condition), share(counts.answer), share(counts.place), share(counts.elsewhere), share(counts.told),
                        share(counts.wrong), share(counts.untried));
 }
 
@@ -84,7 +90,7 @@ bool meets_targets(const std::vector<UnforeseenBug>& bugs)
 std::string unforeseen_table(const std::vector<UnforeseenBug>& bugs)
 {
     std::string text = fmt::format("{:<22}{:>6}{:>9}", "", "bugs", "stopped");
-    for (const char* const heading : {"question", "true reason", "true where", "true what", "any", "false", "untried"})
+    for (const char* const heading : {"question", "true reason", "true where", "true what", "its line", "other line", "any", "false", "untried"})
         text += fmt::format("{:>17}", heading);
     text += '\n';
     text += line("one change", counted(bugs, [](const UnforeseenBug& bug) { return !bug.two; }));
@@ -100,6 +106,9 @@ std::string unforeseen_table(const std::vector<UnforeseenBug>& bugs)
     };
     list(
         "False with other inputs:", [](const UnforeseenBug& bug) { return says(bug, Truth::fails); }, Truth::fails);
+    list(
+        "Could not be tried, or another line than the changed one:",
+        [](const UnforeseenBug& bug) { return says(bug, Truth::untried); }, Truth::untried);
     list(
         "Nothing was said of:", [](const UnforeseenBug& bug) { return !bug.stopped && bug.said.empty(); },
         Truth::holds);

@@ -1,0 +1,97 @@
+#include "question/passed_places.hpp"
+
+#include <gtest/gtest.h>
+
+namespace umbral::grader {
+namespace {
+
+using Places = std::vector<std::uint32_t>;
+
+/// Adds `count` questions that come through these places.
+void add(PassedPlaces& seen, std::size_t count, bool wrong, const Places& places)
+{
+    for (std::size_t i = 0; i < count; ++i) {
+        seen.wrong.push_back(wrong);
+        seen.places.push_back(places);
+    }
+}
+
+Places numbers(const std::vector<PartingPlace>& found)
+{
+    Places all;
+    for (const PartingPlace& one : found) all.push_back(one.place);
+    return all;
+}
+
+TEST(PassedPlaces, those_that_only_wrong_ones_come_through_are_found_in_their_order)
+{
+    PassedPlaces seen;
+    add(seen, 20, false, {1, 2, 9});
+    add(seen, 5, true, {1, 7, 3, 9});
+    const std::vector<PartingPlace> found = parting_places(seen);
+    ASSERT_EQ(numbers(found), (Places{7, 3, 2}));
+    EXPECT_TRUE(found[0].of_wrong);
+    EXPECT_FALSE(found[2].of_wrong);
+    EXPECT_EQ(found[0].wrong_through, 5U);
+    EXPECT_EQ(found[0].right, 20U);
+    EXPECT_EQ(found[2].right_through, 20U);
+}
+
+TEST(PassedPlaces, a_place_that_right_ones_alone_come_through_is_found)
+{
+    PassedPlaces seen;
+    add(seen, 20, false, {1, 2, 9});
+    add(seen, 5, true, {1, 9});
+    EXPECT_EQ(numbers(parting_places(seen)), (Places{2}));
+}
+
+TEST(PassedPlaces, what_all_or_some_of_both_come_through_is_none)
+{
+    PassedPlaces seen;
+    add(seen, 12, false, {1, 2});
+    add(seen, 8, false, {1});
+    add(seen, 6, true, {1, 2});
+    add(seen, 4, true, {1});
+    EXPECT_TRUE(parting_places(seen).empty());
+}
+
+TEST(PassedPlaces, a_few_right_ones_may_come_along)
+{
+    PassedPlaces seen;
+    add(seen, 97, false, {1});
+    add(seen, 3, false, {1, 4});
+    add(seen, 12, true, {1, 4});
+    ASSERT_EQ(numbers(parting_places(seen)), (Places{4}));
+    // As many as there are wrong ones say that it is something else.
+    add(seen, 9, false, {1, 4});
+    EXPECT_TRUE(parting_places(seen).empty());
+}
+
+TEST(PassedPlaces, fewer_than_three_of_either_are_parted_by_chance)
+{
+    PassedPlaces seen;
+    add(seen, 20, false, {1});
+    add(seen, 2, true, {1, 4});
+    EXPECT_TRUE(parting_places(seen).empty());
+    add(seen, 1, true, {1, 4});
+    EXPECT_FALSE(parting_places(seen).empty());
+}
+
+TEST(PassedPlaces, others_tell_whether_it_holds)
+{
+    PassedPlaces seen;
+    add(seen, 20, false, {1});
+    add(seen, 5, true, {1, 4});
+    const PartingPlace found = parting_places(seen).front();
+    PassedPlaces others;
+    add(others, 10, false, {1});
+    add(others, 3, true, {1, 4});
+    EXPECT_TRUE(parts(place_among(found, others)));
+    EXPECT_EQ(error_of(place_among(found, others)), 0);
+    add(others, 3, true, {1});
+    EXPECT_FALSE(parts(place_among(found, others)));
+    EXPECT_EQ(error_of(place_among(found, others)), 0.5);
+}
+
+}
+}
