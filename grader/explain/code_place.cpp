@@ -23,12 +23,12 @@
 namespace umbral::grader {
 namespace {
 
-constexpr std::size_t most_placed_checks = 3;   ///< for which it is looked for: those that are shown first
-constexpr std::size_t most_other_cases = 4;   ///< other cases that are looked at with one
-constexpr std::size_t most_seeds = 3;    ///< of which answers are looked at, where few are wrong
-constexpr std::size_t most_fresh = 2;    ///< seeds on which it is confirmed
+constexpr std::size_t most_placed_checks = 3;  ///< for which it is looked for: those that are shown first
+constexpr std::size_t most_other_cases = 4;    ///< other cases that are looked at with one
+constexpr std::size_t most_seeds = 3;          ///< of which answers are looked at, where few are wrong
+constexpr std::size_t most_fresh = 2;          ///< seeds on which it is confirmed
 constexpr double most_place_seconds = 3;       ///< all runs of a unit together
-constexpr std::size_t most_bytes = 160;  ///< of a line that is shown
+constexpr std::size_t most_bytes = 160;        ///< of a line that is shown
 
 using Places = std::vector<std::uint32_t>;
 /// For each question the places that it came through, in the order in which it first did.
@@ -179,9 +179,8 @@ private:
     void add(const AskedCheck& asked, std::uint64_t seed, PassedPlaces& into)
     {
         const AskedAnswers answers = asked_answers(worker_, asked, seed);
-        const QuestionLog& log = seed == asked.result.seed
-                                     ? asked.log
-                                     : worker_.questions(asked.exercise, asked.check.case_name, seed);
+        const QuestionLog& log =
+            seed == asked.result.seed ? asked.log : worker_.questions(asked.exercise, asked.check.case_name, seed);
         std::map<std::string, std::map<std::uint32_t, bool>> wrong;
         for (const AskedAnswer& one : answers.all)
             if (const QuestionKind* const kind = log.kind_of(one.question))
@@ -265,9 +264,8 @@ std::vector<std::size_t> failing_checks(Worker& worker, const Exercise& exercise
             may_repeat(worker, exercise, one))
             found.push_back(i);
     }
-    std::ranges::stable_sort(found, {}, [&](std::size_t i) {
-        return std::pair(result.checks[i].hidden, failing_order(&result.checks[i]));
-    });
+    std::ranges::stable_sort(
+        found, {}, [&](std::size_t i) { return std::pair(result.checks[i].hidden, failing_order(&result.checks[i])); });
     if (found.size() > most_placed_checks) found.resize(most_placed_checks);
     return found;
 }
@@ -278,8 +276,8 @@ std::vector<const Check*> checks_beside(const Exercise& exercise, const CaseResu
     std::vector<const Check*> others;
     for (const Check& other : exercise.checks) {
         const CaseResult& one = cases.at(other.case_name);
-        if (other.case_name != check.case_name && !other.relation && !is_picture(other) && !one.hidden &&
-            !one.beside && one.reached && one.trouble().empty())
+        if (other.case_name != check.case_name && !other.relation && !is_picture(other) && !one.hidden && !one.beside &&
+            one.reached && one.trouble().empty())
             others.push_back(&other);
     }
     std::ranges::stable_partition(others, [&](const Check* other) { return other->value == check.value; });

@@ -15,9 +15,9 @@
 
 // umbral-inspect names FILE INTERFACE: its dynamic symbols and the functions that left code in it, as JSON; INTERFACE
 // lists the names that it is to define. umbral-inspect lines FILE ADDRESS…: the first address that a file without a
-// directory produced, as "sphere.cpp:17". umbral-inspect places FILE ADDRESS…: for each of these return addresses such a
-// place, as "sphere.cpp:17:9", or an empty line. It reads files made by hostile sources, so it runs in umbral-confine and
-// holds nothing worth stealing.
+// directory produced, as "sphere.cpp:17". umbral-inspect places FILE ADDRESS…: for each of these return addresses such
+// a place, as "sphere.cpp:17:9", or an empty line. It reads files made by hostile sources, so it runs in umbral-confine
+// and holds nothing worth stealing.
 namespace {
 
 std::vector<std::string> lines_of(const char* file)

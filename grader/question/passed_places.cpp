@@ -49,9 +49,7 @@ bool parts(const PartingPlace& place)
 
 double error_of(const PartingPlace& place)
 {
-    const auto share = [](double some, std::size_t all) {
-        return all == 0 ? 0.0 : some / static_cast<double>(all);
-    };
+    const auto share = [](double some, std::size_t all) { return all == 0 ? 0.0 : some / static_cast<double>(all); };
     const auto [wrong, strays] = sides_of(place);
     return share(static_cast<double>(place.wrong) - wrong, place.wrong) + share(strays, place.right);
 }

@@ -16,9 +16,9 @@ struct PassedPlaces {
 /// A place that questions with wrong answers come through, and those with right ones do not, or the reverse.
 struct PartingPlace {
     std::uint32_t place = 0;
-    bool of_wrong = true;            ///< it is the wrong ones that come through
-    std::size_t wrong = 0;           ///< questions with wrong answers …
-    std::size_t wrong_through = 0;   ///< … and those of them that come through
+    bool of_wrong = true;           ///< it is the wrong ones that come through
+    std::size_t wrong = 0;          ///< questions with wrong answers …
+    std::size_t wrong_through = 0;  ///< … and those of them that come through
     std::size_t right = 0;
     std::size_t right_through = 0;
 };
@@ -26,9 +26,9 @@ struct PartingPlace {
 /// So many questions of either kind there must be: fewer are parted by chance.
 inline constexpr std::size_t least_parted_questions = 3;
 
-/// The places that part wrong from right ones best, and all alike, at most sixteen: first those that wrong ones come through, in the
-/// order in which they are reached. All but 3 % must lie on their side; where all wrong ones do, a tenth of the right
-/// ones may lie there too, a third as many as there are wrong ones.
+/// The places that part wrong from right ones best, and all alike, at most sixteen: first those that wrong ones come
+/// through, in the order in which they are reached. All but 3 % must lie on their side; where all wrong ones do, a
+/// tenth of the right ones may lie there too, a third as many as there are wrong ones.
 [[nodiscard]] std::vector<PartingPlace> parting_places(const PassedPlaces& seen);
 
 /// The same place among other questions.

@@ -149,13 +149,15 @@ void add_pattern(Block& block, const UnitResult& unit, const std::vector<const C
                        fmt::format("in {}: {}", (*telling)->name, (*telling)->common));
 }
 
-/// The line of the student's own file where wrong answers part from right ones, of the first check of which it is known.
+/// The line of the student's own file where wrong answers part from right ones, of the first check of which it is
+/// known.
 void add_code_place(Block& block, const UnitResult& unit, const CheckResult* shown, const Paint& paint)
 {
-    const auto known = std::ranges::find_if(unit.checks, [](const CheckResult& one) { return one.code_place.has_value(); });
+    const auto known =
+        std::ranges::find_if(unit.checks, [](const CheckResult& one) { return one.code_place.has_value(); });
     if (known == unit.checks.end()) return;
     const CodePlace& place = *known->code_place;
-    const std::string of_check = known->hidden   ? "on practice inputs, "
+    const std::string of_check = known->hidden      ? "on practice inputs, "
                                  : &*known == shown ? ""
                                                     : fmt::format("in {}, ", known->name);
     block.sentence("code", fmt::format("{}:{}", place.file, place.line));
@@ -163,8 +165,10 @@ void add_code_place(Block& block, const UnitResult& unit, const CheckResult* sho
     const bool fits = display_width(text) + 2 <= block.room();
     block.labelled("", {"  " + shorten(text, block.room() - 2, paint.ellipsis())});
     if (fits && place.column > 1) {
-        const std::string before = paint.safe(std::string_view(place.text).substr(0, static_cast<std::size_t>(place.column) - 1));
-        block.labelled("", {std::string(static_cast<std::size_t>(display_width(before)) + 2, ' ') + paint(Tone::quiet, "^")});
+        const std::string before =
+            paint.safe(std::string_view(place.text).substr(0, static_cast<std::size_t>(place.column) - 1));
+        block.labelled(
+            "", {std::string(static_cast<std::size_t>(display_width(before)) + 2, ' ') + paint(Tone::quiet, "^")});
     }
     block.sentence("", of_check + place.sentence);
 }

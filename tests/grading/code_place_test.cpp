@@ -29,8 +29,9 @@ const std::string first_root = "if (ray.t_min < t && t < ray.t_max) return t;";
 TEST_F(CodePlaces, name_the_branch_with_the_bug)
 {
     const std::vector<CodePlace> places =
-        of(first_root, "if (ray.t_min < t && t < ray.t_max) {\n            if (t > 10)\n                return t + "
-                       "1;\n            return t;\n        }");
+        of(first_root,
+           "if (ray.t_min < t && t < ray.t_max) {\n            if (t > 10)\n                return t + "
+           "1;\n            return t;\n        }");
     ASSERT_EQ(places.size(), 1U);
     EXPECT_EQ(places[0].file, "sphere.cpp");
     EXPECT_EQ(places[0].text, "return t + 1;");

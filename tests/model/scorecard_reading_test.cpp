@@ -112,8 +112,8 @@ TEST(UnitResultFromJson, refuses_whatever_to_json_does_not_write)
     const json whole = to_json(everything());
     std::vector<json::json_pointer> values;
     find_values(whole, json::json_pointer(), values);
-    const std::vector<std::string> optional{"sketch", "seeds", "ambiguous", "unscored", "unjudged", "rubric", "curve",
-                                            "code_place", "column"};
+    const std::vector<std::string> optional{"sketch", "seeds", "ambiguous",  "unscored", "unjudged",
+                                            "rubric", "curve", "code_place", "column"};
     int refused = 0;
     for (const json::json_pointer& place : values) {
         json other = whole;

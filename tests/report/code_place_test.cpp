@@ -33,8 +33,7 @@ TEST(CodePlace, is_shown_with_its_line_and_a_mark_below)
 
 TEST(CodePlace, says_which_check_it_is_of_if_another_is_shown)
 {
-    const std::string report =
-        printed({check_result("open/t", 0, 1000), with_place(check_result("other/t", 0, 1000))});
+    const std::string report = printed({check_result("open/t", 0, 1000), with_place(check_result("other/t", 0, 1000))});
     EXPECT_TRUE(has(report, "in other/t, all 41 wrong answers come through here")) << report;
 }
 

@@ -14,6 +14,9 @@ inline SubmissionResult hostile_submission(const std::string& text)
     check.message = text;
     check.first_difference = Difference{text, text, text};
     check.sketch = text;
+    check.common = check.about = text;
+    check.simplest = Difference{text, text, text, {}, text};
+    check.code_place = CodePlace{text, 1, 2, text, text};
     UnitResult unit = unit_result(text, Verdict::partial, {check, check_result(text + "2", 500, 500)});
     unit.message = text;
     unit.output = text;

@@ -51,9 +51,13 @@ Counts counted(const std::vector<UnforeseenBug>& bugs, Meant meant)
         counts.condition += has(ToldSentence::Kind::condition) ? 1 : 0;
         counts.answer += has(ToldSentence::Kind::answer) ? 1 : 0;
         counts.place += has(ToldSentence::Kind::place) ? 1 : 0;
-        counts.elsewhere += std::ranges::any_of(bug.said, [](const ToldSentence& one) {
-            return one.kind == ToldSentence::Kind::place && one.truth == Truth::untried;
-        }) ? 1 : 0;
+        counts.elsewhere +=
+            std::ranges::any_of(bug.said,
+                                [](const ToldSentence& one) {
+                                    return one.kind == ToldSentence::Kind::place && one.truth == Truth::untried;
+                                })
+                ? 1
+                : 0;
         counts.told += says(bug, Truth::holds) ? 1 : 0;
         counts.wrong += says(bug, Truth::fails) ? 1 : 0;
         counts.untried += says(bug, Truth::untried) ? 1 : 0;
@@ -67,8 +71,8 @@ std::string line(const char* name, const Counts& counts)
         return fmt::format("{:>8} {:>5.1f} %", part, percent(part, counts.all));
     };
     return fmt::format("{:<22}{:>6}{:>9}{}{}{}{}{}{}{}{}{}\n", name, counts.all, counts.stopped, share(counts.question),
-                       share(counts.reason), share(counts.condition), share(counts.answer), share(counts.place), share(counts.elsewhere), share(counts.told),
-                       share(counts.wrong), share(counts.untried));
+                       share(counts.reason), share(counts.condition), share(counts.answer), share(counts.place),
+                       share(counts.elsewhere), share(counts.told), share(counts.wrong), share(counts.untried));
 }
 
 std::string listed(const UnforeseenBug& bug, Truth truth)
@@ -90,7 +94,8 @@ bool meets_targets(const std::vector<UnforeseenBug>& bugs)
 std::string unforeseen_table(const std::vector<UnforeseenBug>& bugs)
 {
     std::string text = fmt::format("{:<22}{:>6}{:>9}", "", "bugs", "stopped");
-    for (const char* const heading : {"question", "true reason", "true where", "true what", "its line", "other line", "any", "false", "untried"})
+    for (const char* const heading :
+         {"question", "true reason", "true where", "true what", "its line", "other line", "any", "false", "untried"})
         text += fmt::format("{:>17}", heading);
     text += '\n';
     text += line("one change", counted(bugs, [](const UnforeseenBug& bug) { return !bug.two; }));

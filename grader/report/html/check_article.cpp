@@ -87,15 +87,20 @@ Markup code_place(const CheckResult& check)
 {
     if (!check.code_place) return {};
     const CodePlace& place = *check.code_place;
-    const std::string mark = place.column > 1 ? "\n" + std::string(static_cast<std::size_t>(
-                                                           display_width(std::string_view(place.text).substr(
-                                                               0, static_cast<std::size_t>(place.column) - 1))),
-                                                       ' ') + "^"
-                                              : "";
+    const std::string mark =
+        place.column > 1
+            ? "\n" +
+                  std::string(static_cast<std::size_t>(display_width(
+                                  std::string_view(place.text).substr(0, static_cast<std::size_t>(place.column) - 1))),
+                              ' ') +
+                  "^"
+            : "";
     return markup(
-        "<div class=\"simplest\"><h4>Where wrong answers part from right ones: {}, line {}</h4>\n<pre><code>{}{}</code></pre>\n"
+        "<div class=\"simplest\"><h4>Where wrong answers part from right ones: {}, line "
+        "{}</h4>\n<pre><code>{}{}</code></pre>\n"
         "<p>{}</p></div>\n",
-        place.file, place.line, place.text, mark, sentence(check.hidden ? "on practice inputs, " + place.sentence : place.sentence));
+        place.file, place.line, place.text, mark,
+        sentence(check.hidden ? "on practice inputs, " + place.sentence : place.sentence));
 }
 
 struct Show {
