@@ -80,6 +80,8 @@ public:
             const std::size_t cell = *result.first_difference->cell;
             show(cell, result.first_difference->question);
             const QuestionSpan asked = log_.questions_of(check.value, cell, expected->cells());
+            if (const auto [place, rows] = log_.place_of_row(check.value, cell); rows > 1)
+                result.first_difference->where += fmt::format(", number {} of {} from this call", place + 1, rows);
             // No debugger can stop at several.
             if (asked.count > 1) result.first_difference->cell.reset();
             alone = !check.hidden && !result.beside && asked.count == 1 && may_repeat(worker_, exercise_, one_) &&

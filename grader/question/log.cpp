@@ -145,6 +145,16 @@ QuestionSpan QuestionLog::questions_of(std::string_view value, std::size_t cell,
     return {first + static_cast<std::uint32_t>(cell * (count / cells)), 1};
 }
 
+std::pair<std::size_t, std::size_t> QuestionLog::place_of_row(std::string_view value, std::size_t row) const
+{
+    const auto found = rows.find(value);
+    if (found == rows.end() || row >= found->second.size() || found->second[row] == 0) return {0, 0};
+    const std::vector<std::uint32_t>& questions = found->second;
+    const auto at = questions.begin() + static_cast<std::ptrdiff_t>(row);
+    return {static_cast<std::size_t>(std::count(questions.begin(), at, *at)),
+            static_cast<std::size_t>(std::count(questions.begin(), questions.end(), *at))};
+}
+
 const QuestionKind* QuestionLog::kind_of(std::uint32_t question) const
 {
     for (const QuestionKind& kind : kinds)

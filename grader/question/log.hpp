@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <umbral/record/changes.hpp>
@@ -56,6 +57,9 @@ struct QuestionLog {
     /// All that is known of what was asked for a row or a cell: that question, or those of its tile, or all that led to
     /// the picture.
     [[nodiscard]] QuestionSpan questions_of(std::string_view value, std::size_t cell, std::size_t cells) const;
+    /// Which of the rows of a table that one question led to is this one, from 0 on, and how many there are; {0, 0} if
+    /// that is not known.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> place_of_row(std::string_view value, std::size_t row) const;
     /// The kind of a question, or null.
     [[nodiscard]] const QuestionKind* kind_of(std::uint32_t question) const;
 };

@@ -72,6 +72,25 @@ TEST(QuestionLog, of_a_picture_knows_all_that_led_to_it_and_of_a_tile_its_own)
     EXPECT_EQ(log.questions_of("no such value", 0, 1), QuestionSpan{});
 }
 
+TEST(QuestionLog, counts_the_rows_that_one_question_led_to)
+{
+    Questions questions({.questions = true});
+    Recorder out(questions);
+    out.append("two", 0.0F);
+    for (int i = 0; i < 2; ++i) {
+        const float twice = ask<sample::twice>(out, 7);
+        out.append("two", twice);
+        out.append("two", -twice);
+    }
+    out.finish();
+    const QuestionLog log = read_questions(out.tensors());
+    EXPECT_EQ(log.place_of_row("two", 0), (std::pair<std::size_t, std::size_t>(0, 0))) << "no question led to it";
+    EXPECT_EQ(log.place_of_row("two", 3), (std::pair<std::size_t, std::size_t>(0, 2)));
+    EXPECT_EQ(log.place_of_row("two", 4), (std::pair<std::size_t, std::size_t>(1, 2)));
+    EXPECT_EQ(log.place_of_row("two", 5), (std::pair<std::size_t, std::size_t>(0, 0)));
+    EXPECT_EQ(log.place_of_row("none", 0), (std::pair<std::size_t, std::size_t>(0, 0)));
+}
+
 TEST(QuestionLog, knows_what_numbers_that_are_none_mean)
 {
     Questions questions({.questions = true});
