@@ -52,9 +52,12 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> blocks_in(const RunOutcome&
 class Tracer {
 public:
     Tracer(Worker& worker, const Exercise& exercise, const Built& traced)
-        : worker_(worker), exercise_(exercise), traced_(traced)
+        : worker_(worker), exercise_(exercise), traced_(traced), end_(worker.run_seconds() + most_place_seconds)
     {
     }
+
+    /// Runs of all kinds are counted.
+    [[nodiscard]] bool has_time() const { return worker_.spare_time().is_left() && worker_.run_seconds() < end_; }
 
     /// Of a run with the inputs of a seed, if it records the same as `plain` did under this name; null if it does not.
     [[nodiscard]] const PlacesOfQuestions* places(const Check& check, std::uint64_t seed, const RunOutcome& plain)
@@ -116,6 +119,7 @@ private:
     Worker& worker_;
     const Exercise& exercise_;
     const Built& traced_;
+    double end_;
     std::map<std::pair<std::string, std::uint64_t>, Run> runs_;
     std::map<std::uint32_t, std::optional<std::uint32_t>> numbers_;  ///< of blocks, by their addresses
     std::vector<SourcePlace> places_;
@@ -178,6 +182,7 @@ private:
     /// The questions with these inputs, of the function that most wrong answers are of.
     void add(const AskedCheck& asked, std::uint64_t seed, PassedPlaces& into)
     {
+        if (!tracer_.has_time()) return;
         const AskedAnswers answers = asked_answers(worker_, asked, seed);
         const QuestionLog& log =
             seed == asked.result.seed ? asked.log : worker_.questions(asked.exercise, asked.check.case_name, seed);
@@ -295,12 +300,9 @@ void add_code_place(Worker& worker, const Exercise& exercise, const Built& built
     const std::optional<Built> traced = build_traced(worker.tools(), exercise, built);
     if (!traced) return;
     Tracer tracer(worker, exercise, *traced);
-    SpareTime time;
-    time.allow(most_place_seconds);
     const std::string no_headers;
     for (const std::size_t i : checks) {
-        if (!worker.spare_time().is_left() || !time.is_left()) return;
-        const double before = worker.run_seconds();
+        if (!tracer.has_time()) return;
         const Check& check = exercise.checks[i];
         const CaseResult& one = cases.at(check.case_name);
         CaseRuns runs(worker, exercise, built, check.case_name, one);
@@ -308,7 +310,6 @@ void add_code_place(Worker& worker, const Exercise& exercise, const Built& built
         const AskedCheck asked{exercise, check, runs, one, log, no_headers};
         PlaceSearch search(worker, tracer, asked);
         const auto found = search.find(checks_beside(exercise, cases, check), cases, built);
-        time.spend(worker.run_seconds() - before);
         if (!found) continue;
         result.checks[i].code_place = code_place(built, tracer.place(found->place), *found);
         return;
