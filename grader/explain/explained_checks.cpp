@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "judge/explain/thresholds.hpp"
 #include "worker/past_crashes.hpp"
 #include "worker/related.hpp"
 #include "worker/weigh_cost.hpp"
@@ -65,6 +66,14 @@ Resemblance says_of(const FailingCheck& one, const CaseResult& yours, const RunO
     const Tensor* tensor = observed_beginning(*one.check, its);
     if (tensor == nullptr) return one.student == nullptr ? Resemblance{} : not_alike;
     return one.student == nullptr ? not_alike : resemblance(one, *tensor);
+}
+
+bool is_explained(const UnitResult& result)
+{
+    return std::ranges::any_of(result.explanations, [](const Explanation& one) {
+        return one.name.starts_with("mistake: ") && !one.hidden && one.fit == 1 &&
+               one.confidence >= thresholds::very_sure;
+    });
 }
 
 }

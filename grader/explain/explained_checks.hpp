@@ -30,4 +30,7 @@ struct CaseChecks {
 /// against.
 [[nodiscard]] Resemblance says_of(const FailingCheck& one, const CaseResult& yours, const RunOutcome& its);
 
+/// Does a known mistake explain all that students see? Its hint says more than can be found out.
+[[nodiscard]] bool is_explained(const UnitResult& result);
+
 }

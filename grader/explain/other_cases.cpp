@@ -1,6 +1,23 @@
 #include "explain/other_cases.hpp"
 
+#include <algorithm>
+
+#include "judge/judges.hpp"
+
 namespace umbral::grader {
+
+std::vector<const Check*> checks_beside(const Exercise& exercise, const CaseResults& cases, const Check& check)
+{
+    std::vector<const Check*> others;
+    for (const Check& other : exercise.checks) {
+        const CaseResult& one = cases.at(other.case_name);
+        if (other.case_name != check.case_name && !other.relation && !is_picture(other) && !one.hidden && !one.beside &&
+            one.reached && one.trouble().empty())
+            others.push_back(&other);
+    }
+    std::ranges::stable_partition(others, [&](const Check* other) { return other->value == check.value; });
+    return others;
+}
 
 void OtherCases::each(const std::string& function, const std::function<bool(const AskedSample&)>& look)
 {

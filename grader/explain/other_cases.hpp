@@ -8,6 +8,11 @@
 
 namespace umbral::grader {
 
+/// Checks of other visible cases, as far as these ran to their ends: first of what is recorded under the same name, and
+/// is asked alike, as a rule. Not of pictures.
+[[nodiscard]] std::vector<const Check*> checks_beside(const Exercise& exercise, const CaseResults& cases,
+                                                      const Check& check);
+
 /// What other visible cases answer to questions of the function that a check's are, right or wrong; found out once for
 /// each, when first asked for.
 class OtherCases {

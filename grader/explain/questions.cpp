@@ -11,6 +11,7 @@
 #include "explain/asked_answers.hpp"
 #include "explain/code_place.hpp"
 #include "explain/common_condition.hpp"
+#include "explain/other_cases.hpp"
 #include "explain/other_questions.hpp"
 #include "explain/practice_example.hpp"
 #include "explain/question_code.hpp"
@@ -131,14 +132,8 @@ private:
     void look_elsewhere(const Check& check, const std::string& headers,
                         const std::function<bool(const AskedCheck&)>& look) const
     {
-        // What is called alike is asked alike, as a rule.
-        std::vector<const Check*> others;
-        for (const Check& other : exercise_.checks)
-            if (other.case_name != case_ && !other.relation && !is_picture(other)) others.push_back(&other);
-        std::ranges::stable_partition(others, [&](const Check* other) { return other->value == check.value; });
-        for (const Check* const other : others) {
+        for (const Check* const other : checks_beside(exercise_, cases_, check)) {
             const CaseResult& one = cases_.at(other->case_name);
-            if (one.hidden || one.beside || !one.reached || !one.trouble().empty()) continue;
             CaseRuns runs(worker_, exercise_, built_, other->case_name, one);
             const QuestionLog& log = worker_.questions(exercise_, other->case_name, one.seed);
             if (!look({exercise_, *other, runs, one, log, headers})) return;

@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "build/with_zeros.hpp"
+#include "explain/explained_checks.hpp"
 #include "explain/same_values.hpp"
-#include "judge/explain/thresholds.hpp"
 #include "judge/judges.hpp"
 #include "text/printable.hpp"
 
@@ -92,11 +92,7 @@ std::string quoted(const std::string& warnings, const Exercise& exercise)
 std::optional<UnsetValues> by_unset_values(Worker& worker, const Exercise& exercise, const Built& built,
                                            const UnitResult& result, const CaseResults& cases)
 {
-    const bool explained = std::ranges::any_of(result.explanations, [](const Explanation& one) {
-        return one.name.starts_with("mistake: ") && !one.hidden && one.fit == 1 &&
-               one.confidence >= thresholds::very_sure;
-    });
-    if (explained || built.files.empty()) return std::nullopt;
+    if (is_explained(result) || built.files.empty()) return std::nullopt;
     const std::vector<FailingCase> failing = failing_cases(exercise, result, cases);
     if (failing.empty()) return std::nullopt;
     const std::optional<Built> zeros = build_with_zeros(worker.tools(), exercise, built);

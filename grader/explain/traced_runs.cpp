@@ -1,0 +1,79 @@
+#include "explain/traced_runs.hpp"
+
+#include <algorithm>
+#include <set>
+#include <umbral/record/block_trace.hpp>
+
+#include "explain/same_values.hpp"
+#include "judge/rows/tensor_view.hpp"
+#include "worker/case_results.hpp"
+
+namespace umbral::grader {
+namespace {
+
+using Blocks = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// Questions and blocks; empty where a recording holds none, or what no run of ours writes.
+Blocks blocks_in(const RunOutcome& run)
+{
+    const Tensor* const tensor = tensor_of(run, std::string(blocks_of_questions));
+    if (tensor == nullptr || !well_formed(*tensor) || tensor->element != Element::uint32 || tensor->components != 2 ||
+        tensor->columns != 1)
+        return {};
+    Blocks blocks;
+    const std::vector<double> numbers = to_doubles(*tensor);
+    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
+        blocks.emplace_back(static_cast<std::uint32_t>(numbers[i]), static_cast<std::uint32_t>(numbers[i + 1]));
+    return blocks;
+}
+
+}
+
+const PlacesOfQuestions* TracedRuns::places(const Check& check, std::uint64_t seed, const RunOutcome& plain)
+{
+    const auto key = std::pair(check.case_name, seed);
+    auto found = runs_.find(key);
+    if (found == runs_.end()) {
+        Run run{worker_.run_traced(exercise_, traced_, check.case_name, seed), {}};
+        run.places = placed(blocks_in(run.outcome));
+        found = runs_.emplace(key, std::move(run)).first;
+    }
+    const Run& run = found->second;
+    const Tensor* const yours = tensor_of(run.outcome, check.value);
+    const Tensor* const graded = tensor_of(plain, check.value);
+    const bool same =
+        run.outcome.verdict == Verdict::ok && yours != nullptr && graded != nullptr && are_same_values(*yours, *graded);
+    return same && !run.places.empty() ? &run.places : nullptr;
+}
+
+PlacesOfQuestions TracedRuns::placed(const Blocks& blocks)
+{
+    constexpr std::size_t most_at_once = 4096;  // arguments of the inspector
+    std::set<std::uint32_t> fresh;
+    for (const auto& [question, block] : blocks)
+        if (!numbers_.contains(block)) fresh.insert(block);
+    if (fresh.size() > most_at_once) return {};
+    look_up({fresh.begin(), fresh.end()});
+    PlacesOfQuestions result;
+    for (const auto& [question, block] : blocks) {
+        std::vector<std::uint32_t>& passed = result[question];
+        const std::optional<std::uint32_t>& number = numbers_[block];
+        if (number && std::ranges::find(passed, *number) == passed.end()) passed.push_back(*number);
+    }
+    return result;
+}
+
+void TracedRuns::look_up(const std::vector<std::uint32_t>& blocks)
+{
+    if (blocks.empty()) return;
+    const auto found = places_of(worker_.tools(), traced_.library, blocks);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        std::optional<std::uint32_t>& number = numbers_[blocks[i]];
+        if (i >= found.size() || !found[i] || !traced_.files.contains(found[i]->file)) continue;
+        const auto known = std::ranges::find(places_, *found[i]);
+        number = static_cast<std::uint32_t>(known - places_.begin());
+        if (known == places_.end()) places_.push_back(*found[i]);
+    }
+}
+
+}

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "build/builder.hpp"
+#include "build/inspection.hpp"
+#include "worker/worker.hpp"
+
+namespace umbral::grader {
+
+/// For each question the places that it came through, by number, in the order in which it first did.
+using PlacesOfQuestions = std::map<std::uint32_t, std::vector<std::uint32_t>>;
+
+/// Runs of what was built to be traced (build/traced.hpp), and the places in the student's files behind their blocks.
+/// Each run is made once.
+class TracedRuns {
+public:
+    /// The others must live as long. For so many seconds, which runs of any kind take, there is time.
+    TracedRuns(Worker& worker, const Exercise& exercise, const Built& traced, double seconds)
+        : worker_(worker), exercise_(exercise), traced_(traced), end_(worker.run_seconds() + seconds)
+    {
+    }
+
+    [[nodiscard]] bool has_time() const { return worker_.spare_time().is_left() && worker_.run_seconds() < end_; }
+
+    /// Of a run with the inputs of a seed, if it records the same as `plain` did of the check's value; null if it does
+    /// not.
+    [[nodiscard]] const PlacesOfQuestions* places(const Check& check, std::uint64_t seed, const RunOutcome& plain);
+
+    [[nodiscard]] const SourcePlace& place(std::uint32_t number) const { return places_.at(number); }
+
+private:
+    struct Run {
+        RunOutcome outcome;
+        PlacesOfQuestions places;
+    };
+
+    [[nodiscard]] PlacesOfQuestions placed(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& blocks);
+    void look_up(const std::vector<std::uint32_t>& blocks);
+
+    Worker& worker_;
+    const Exercise& exercise_;
+    const Built& traced_;
+    double end_;
+    std::map<std::pair<std::string, std::uint64_t>, Run> runs_;
+    std::map<std::uint32_t, std::optional<std::uint32_t>> numbers_;  ///< of blocks, by their addresses
+    std::vector<SourcePlace> places_;
+};
+
+}
