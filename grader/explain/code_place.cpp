@@ -130,10 +130,12 @@ std::string sentence_of(const PartingPlace& place)
         return some == 0 ? fmt::format("none of the {} {}", all, which) : all_of(some, all, which);
     };
     if (place.of_wrong)
-        return fmt::format("{} come through here, and {}", all_of(place.wrong_through, place.wrong, "wrong answers"),
-                           some_of(place.right_through, place.right, "right ones"));
-    return fmt::format("{} come through here, and {}", all_of(place.right_through, place.right, "right answers"),
-                       some_of(place.wrong_through, place.wrong, "wrong ones"));
+        return fmt::format("{} come through here, and {}",
+                           all_of(place.wrong_through, place.wrong, "calls with wrong answers"),
+                           some_of(place.right_through, place.right, "with right ones"));
+    return fmt::format("{} come through here, and {}",
+                       all_of(place.right_through, place.right, "calls with right answers"),
+                       some_of(place.wrong_through, place.wrong, "with wrong ones"));
 }
 
 std::optional<CodePlace> code_place(const Built& built, const SourcePlace& place, const PartingPlace& parting)

@@ -31,7 +31,7 @@ struct CodePlace {
     int line = 0;          ///< counted from 1
     int column = 0;        ///< of what runs there in `text`, in bytes, counted from 1; 0 where nothing says it
     std::string text;      ///< the line, without what it is indented by
-    std::string sentence;  ///< "all 41 wrong answers come through here, and none of the 359 right ones"
+    std::string sentence;  ///< "all 41 calls with wrong answers come through here, and none of the 359 with right ones"
 };
 
 /// What a check found.

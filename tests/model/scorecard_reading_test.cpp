@@ -28,7 +28,7 @@ UnitResult everything()
     check.seeds = {0, std::numeric_limits<std::uint64_t>::max()};
     check.message = " spaces at its ends ";
     check.error = 0.1 + 0.2;
-    check.code_place = CodePlace{"sphere.cpp", 17, 5, "return t;", "all 4 wrong answers come through here"};
+    check.code_place = CodePlace{"sphere.cpp", 17, 5, "return t;", "all 4 calls with wrong answers come through here"};
     check.metrics["tiny"] = std::numeric_limits<double>::denorm_min();
     return unit;
 }

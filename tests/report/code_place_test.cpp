@@ -11,8 +11,9 @@ namespace {
 
 CheckResult with_place(CheckResult check)
 {
-    check.code_place = CodePlace{"sphere.cpp", 17, 5, "if (t < 0) return t0;",
-                                 "all 41 wrong answers come through here, and none of the 359 right ones"};
+    check.code_place =
+        CodePlace{"sphere.cpp", 17, 5, "if (t < 0) return t0;",
+                  "all 41 calls with wrong answers come through here, and none of the 359 with right ones"};
     return check;
 }
 
@@ -24,24 +25,25 @@ std::string printed(const std::vector<CheckResult>& checks)
 
 TEST(CodePlace, is_shown_with_its_line_and_a_mark_below)
 {
-    EXPECT_TRUE(has(printed({with_place(check_result("open/t", 0, 1000))}),
-                    "code      sphere.cpp:17\n"
-                    "                if (t < 0) return t0;\n"
-                    "                    ^\n"
-                    "              all 41 wrong answers come through here, and none of the 359 right ones\n"));
+    EXPECT_TRUE(
+        has(printed({with_place(check_result("open/t", 0, 1000))}),
+            "code      sphere.cpp:17\n"
+            "                if (t < 0) return t0;\n"
+            "                    ^\n"
+            "              all 41 calls with wrong answers come through here, and none of the 359 with right ones\n"));
 }
 
 TEST(CodePlace, says_which_check_it_is_of_if_another_is_shown)
 {
     const std::string report = printed({check_result("open/t", 0, 1000), with_place(check_result("other/t", 0, 1000))});
-    EXPECT_TRUE(has(report, "in other/t, all 41 wrong answers come through here")) << report;
+    EXPECT_TRUE(has(report, "in other/t, all 41 calls with wrong answers come through here")) << report;
 }
 
 TEST(CodePlace, of_a_hidden_check_is_about_practice_inputs)
 {
     const std::string report =
         printed({check_result("open/t", 1000, 1000), with_place(check_result("secret/t", 0, 1000, true))});
-    EXPECT_TRUE(has(report, "on practice inputs, all 41 wrong answers come through here")) << report;
+    EXPECT_TRUE(has(report, "on practice inputs, all 41 calls with wrong answers come through here")) << report;
 }
 
 // Control characters and what is too long may stand in anybody's file.
