@@ -265,9 +265,13 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     if (!job.inquiry.others.empty()) finish(header, answers_to_others(*one, what, job.inquiry.others));
     Questions questions(job.inquiry);
     Recorder* recorded = nullptr;
+    std::optional<BlockTrace> trace;
     const auto end = [&] {
         recorded->finish();
-        finish(header, recorded->tensors());
+        if (!trace) finish(header, recorded->tensors());
+        Recorder::Tensors tensors = recorded->tensors();
+        trace->write(tensors);
+        finish(header, tensors);
     };
     Progress progress(header.asked, header.function, job.passed_over, end);
     Recorder recorder = asks_anything(job.inquiry) ? Recorder(questions) : Recorder(progress);
@@ -277,17 +281,12 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
         companion.emplace(*one, Case{what.name, Random(*job.beside), what.sources, Variation(*job.beside)});
         progress.at_each_question([&] { companion->take_turn(); });
     }
-    std::optional<BlockTrace> trace;
     if (job.inquiry.blocks) {
-        trace.emplace(static_cast<std::uintptr_t>(header.library_base));
+        trace.emplace(static_cast<std::uintptr_t>(header.library_base), end);
         questions.at_each_question([&] { trace->next_question(); });
     }
     run_case(*one, what, recorder);
-    recorder.finish();
-    if (!trace) finish(header, recorder.tensors());
-    Recorder::Tensors tensors = recorder.tensors();
-    trace->write(tensors);
-    finish(header, tensors);
+    end();
 }
 
 }

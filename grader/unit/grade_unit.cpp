@@ -9,6 +9,7 @@
 #include <umbral/core/random.hpp>
 
 #include "explain/explain_unit.hpp"
+#include "explain/loop_place.hpp"
 #include "explain/practice_example.hpp"
 #include "explain/questions.hpp"
 #include "explain/unset_values.hpp"
@@ -191,6 +192,7 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
                 result.message += unset->warnings;
             }
         });
+    if (explains) beside_the_grade(result, [&] { result.message += loop_place(worker, exercise, built, cases); });
     beside_the_grade(result, [&] { result.curve = curve_of(worker, exercise, result, cases); });
     CaseResults practice;
     if (explains && (detail != nullptr || !options.artefacts.empty()))

@@ -210,6 +210,7 @@ RunOutcome Worker::run_traced(const Exercise& exercise, const Built& traced, con
     RunRequest wanted = students_request(exercise, traced, case_name, seed);
     wanted.inquiry.blocks = true;
     wanted.wanted.emplace(std::string(blocks_of_questions), BlockTrace::most_rows);
+    wanted.wanted.emplace(std::string(blocks_of_loop), BlockTrace::blocks_in_loop);
     return spare_time_.spent_on(run_students(exercise, wanted));
 }
 

@@ -25,7 +25,7 @@ std::optional<Rows> written(const BlockTrace& trace)
 
 TEST(BlockTrace, takes_down_each_place_once_a_question)
 {
-    BlockTrace trace(1000);
+    BlockTrace trace(1000, [] {});
     trace.pass(1007);  // before the first question
     trace.next_question();
     for (int i = 0; i < 3; ++i)
@@ -38,7 +38,7 @@ TEST(BlockTrace, takes_down_each_place_once_a_question)
 
 TEST(BlockTrace, passes_over_what_lies_outside_of_the_library)
 {
-    BlockTrace trace(1U << 30U);
+    BlockTrace trace(1U << 30U, [] {});
     trace.next_question();
     trace.pass(7);
     trace.pass(3U << 30U);
@@ -47,7 +47,7 @@ TEST(BlockTrace, passes_over_what_lies_outside_of_the_library)
 
 TEST(BlockTrace, tells_nothing_of_a_run_with_too_many)
 {
-    BlockTrace trace(0);
+    BlockTrace trace(0, [] {});
     for (std::size_t i = 0; i <= BlockTrace::most_rows; ++i) {
         trace.next_question();
         trace.pass(5);
@@ -55,11 +55,30 @@ TEST(BlockTrace, tells_nothing_of_a_run_with_too_many)
     EXPECT_EQ(written(trace), std::nullopt);
 }
 
+TEST(BlockTrace, ends_a_question_that_goes_round_for_ever_and_tells_where)
+{
+    std::uint64_t ends = 0;
+    BlockTrace trace(0, [&] { ++ends; });
+    trace.next_question();
+    for (std::uint64_t i = 0; i < BlockTrace::most_blocks; ++i) trace.pass(7);
+    trace.next_question();
+    trace.pass(3);
+    std::uint64_t passed = 1;
+    for (; ends == 0; ++passed) trace.pass(passed % 2 == 0 ? 9 : 11);
+    EXPECT_EQ(passed, BlockTrace::most_blocks + BlockTrace::blocks_in_loop);
+    std::map<std::string, Tensor, std::less<>> tensors;
+    trace.write(tensors);
+    const Tensor& loop = tensors.at(std::string(blocks_of_loop));
+    Rows places(loop.bytes.size() / sizeof(std::uint32_t));
+    std::memcpy(places.data(), loop.bytes.data(), loop.bytes.size());
+    EXPECT_EQ(places, (Rows{9, 11}));
+}
+
 TEST(BlockTrace, is_told_of_blocks_as_long_as_it_lives)
 {
     const std::uint64_t before = blocks_executed();
     {
-        BlockTrace trace(reinterpret_cast<std::uintptr_t>(&written) & ~std::uintptr_t{0xFFFFF});
+        BlockTrace trace(reinterpret_cast<std::uintptr_t>(&written) & ~std::uintptr_t{0xFFFFF}, [] {});
         trace.next_question();
         __sanitizer_cov_trace_pc();
         const auto rows = written(trace);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "umbral/record/cost.hpp"
 
@@ -10,18 +11,30 @@ namespace {
 
 /// Code of a student's library lies far below that.
 constexpr std::uintptr_t most_places = std::uintptr_t{1} << 22U;
-constexpr std::uint32_t columns = 2;
+
+Tensor table(const std::vector<std::uint32_t>& numbers, std::uint32_t columns)
+{
+    Tensor tensor{Element::uint32, static_cast<std::uint32_t>(numbers.size() / columns), 1, columns, {}, {}};
+    tensor.bytes.resize(numbers.size() * sizeof numbers.front());
+    if (!numbers.empty()) std::memcpy(tensor.bytes.data(), numbers.data(), tensor.bytes.size());
+    return tensor;
+}
 
 }
 
-BlockTrace::BlockTrace(std::uintptr_t base) : base_(base) { follow_blocks(this); }
+BlockTrace::BlockTrace(std::uintptr_t base, std::function<void()> end) : base_(base), end_(std::move(end))
+{
+    follow_blocks(this);
+}
 
 BlockTrace::~BlockTrace() { follow_blocks(nullptr); }
 
 void BlockTrace::pass(std::uintptr_t address)
 {
     const std::uintptr_t place = address - base_;
-    if (questions_ == 0 || place >= most_places || rows_.size() > most_rows * columns) return;
+    if (questions_ == 0 || place >= most_places) return;
+    if (++passed_ > most_blocks) return pass_too_late(static_cast<std::uint32_t>(place));
+    if (rows_.size() > most_rows * 2) return;
     if (place >= last_.size()) last_.resize(std::max<std::size_t>(place + 1, 2 * last_.size()), 0);
     if (last_[place] == questions_) return;
     last_[place] = questions_;
@@ -29,13 +42,16 @@ void BlockTrace::pass(std::uintptr_t address)
     rows_.push_back(static_cast<std::uint32_t>(place));
 }
 
+void BlockTrace::pass_too_late(std::uint32_t place)
+{
+    loop_.insert(place);
+    if (passed_ >= most_blocks + blocks_in_loop) end_();
+}
+
 void BlockTrace::write(std::map<std::string, Tensor, std::less<>>& tensors) const
 {
-    if (rows_.size() > most_rows * columns) return;
-    Tensor tensor{Element::uint32, static_cast<std::uint32_t>(rows_.size() / columns), 1, columns, {}, {}};
-    tensor.bytes.resize(rows_.size() * sizeof rows_.front());
-    if (!rows_.empty()) std::memcpy(tensor.bytes.data(), rows_.data(), tensor.bytes.size());
-    tensors[std::string(blocks_of_questions)] = std::move(tensor);
+    if (rows_.size() <= most_rows * 2) tensors[std::string(blocks_of_questions)] = table(rows_, 2);
+    if (!loop_.empty()) tensors[std::string(blocks_of_loop)] = table({loop_.begin(), loop_.end()}, 1);
 }
 
 }

@@ -1,0 +1,73 @@
+#include "explain/loop_place.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <umbral/record/block_trace.hpp>
+
+#include "build/inspection.hpp"
+#include "build/traced.hpp"
+#include "judge/rows/tensor_view.hpp"
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::size_t most_blocks = 1024;  ///< of a loop; of larger ones it says nothing where they are
+constexpr std::size_t most_ranges = 3;
+constexpr int largest_gap = 3;  ///< lines without code of their own, within a loop
+
+/// The blocks at the end of a run that was ended in one call; empty if none was.
+std::vector<std::uint32_t> loop_in(const RunOutcome& run)
+{
+    const Tensor* const tensor = tensor_of(run, std::string(blocks_of_loop));
+    if (tensor == nullptr || !well_formed(*tensor) || tensor->element != Element::uint32) return {};
+    std::vector<std::uint32_t> blocks;
+    for (const double number : to_doubles(*tensor)) blocks.push_back(static_cast<std::uint32_t>(number));
+    return blocks.size() > most_blocks ? std::vector<std::uint32_t>() : blocks;
+}
+
+/// "line 4", "lines 6 to 9 and 20".
+std::string in_words(const std::set<int>& lines)
+{
+    std::vector<std::pair<int, int>> ranges;
+    for (const int line : lines) {
+        if (ranges.empty() || line > ranges.back().second + largest_gap) ranges.emplace_back(line, line);
+        ranges.back().second = line;
+    }
+    if (ranges.size() > most_ranges) ranges.resize(most_ranges);
+    std::string text = lines.size() == 1 ? "line " : "lines ";
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        if (i > 0) text += i + 1 == ranges.size() ? " and " : ", ";
+        const auto [first, last] = ranges[i];
+        text += first == last ? fmt::format("{}", first) : fmt::format("{} to {}", first, last);
+    }
+    return text;
+}
+
+}
+
+std::string loop_place(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases)
+{
+    const auto stopped = std::ranges::find_if(cases, [&](const auto& entry) {
+        const CaseResult& one = entry.second;
+        return !one.hidden && one.reached && one.student.verdict == Verdict::timeout &&
+               !slept_long(one.student, exercise.limits);
+    });
+    if (stopped == cases.end() || !worker.spare_time().is_left()) return "";
+    const std::optional<Built> traced = build_traced(worker.tools(), exercise, built);
+    if (!traced) return "";
+    const RunOutcome run = worker.run_traced(exercise, *traced, stopped->first, stopped->second.seed);
+    const std::vector<std::uint32_t> blocks = run.verdict == Verdict::ok ? loop_in(run) : std::vector<std::uint32_t>();
+    if (blocks.empty()) return "";
+    std::map<std::string, std::set<int>> lines;
+    for (const auto& place : places_of(worker.tools(), traced->library, blocks))
+        if (place && place->line > 0 && traced->files.contains(place->file)) lines[place->file].insert(place->line);
+    if (lines.empty()) return "";
+    const auto& [file, numbers] =
+        *std::ranges::max_element(lines, {}, [](const auto& one) { return one.second.size(); });
+    return fmt::format("{}: one call runs {} of {} again and again\n", stopped->first, in_words(numbers), file);
+}
+
+}
