@@ -44,6 +44,15 @@ TEST_F(CodePlaces, are_not_told_where_wrong_answers_come_the_way_of_right_ones)
     EXPECT_TRUE(of(first_root, "if (ray.t_min < t && t < ray.t_max) return t + static_cast<float>(t > 10);").empty());
 }
 
+TEST_F(CodePlaces, name_the_lines_of_a_loop_that_does_not_end)
+{
+    const std::string loop = "volatile float s = t;\n        while (s > -1) {\n            s = s + 1;\n        }\n";
+    const UnitResult result = grade(first_root, loop, {});
+    EXPECT_NE(result.message.find(": one call runs lines "), std::string::npos) << result.message;
+    EXPECT_NE(result.message.find(" of sphere.cpp again and again\n"), std::string::npos) << result.message;
+    EXPECT_EQ(grade(first_root, loop, {}).message, result.message);
+}
+
 // A submission may call its lines what it likes.
 TEST_F(CodePlaces, are_only_told_of_files_that_were_handed_in)
 {
