@@ -26,9 +26,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Dwarf* const dwarf = elf == nullptr ? nullptr : grader::open_debug_information(elf);
     if (dwarf != nullptr) {
         const std::string json = grader::names_as_json(elf, dwarf, {"_Z6spherev"});
-        for (const Dwarf_Addr address : {Dwarf_Addr{0}, Dwarf_Addr{0x1000}, Dwarf_Addr{0x1139}, ~Dwarf_Addr{0}})
+        for (const Dwarf_Addr address : {Dwarf_Addr{0}, Dwarf_Addr{0x1000}, Dwarf_Addr{0x1139}, ~Dwarf_Addr{0}}) {
             const auto place = grader::place_in_own_files(dwarf, address);
             tests::expect(!place || place->file.size() <= 4096, "a place without end");
+        }
         (void)dwarf_end(dwarf);
     }
     (void)elf_end(elf);
