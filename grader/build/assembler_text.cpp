@@ -17,9 +17,17 @@ constexpr std::array<std::string_view, 55> directives{
     ".variant_pcs", ".weak",        ".weakref", ".word",    ".xword",       ".zero",    ".zerofill"};
 
 /// Sections of C++, with those of functions and variables of their own (".text._Z1fv").
-constexpr std::array<std::string_view, 10> sections{
-    ".text",       ".data",       ".rodata",           ".bss",           ".tdata", ".tbss",
-    ".init_array", ".fini_array", ".gcc_except_table", ".note.GNU-stack"};
+constexpr std::array<std::string_view, 11> sections{".text",
+                                                    ".data",
+                                                    ".rodata",
+                                                    ".bss",
+                                                    ".tdata",
+                                                    ".tbss",
+                                                    ".init_array",
+                                                    ".fini_array",
+                                                    ".gcc_except_table",
+                                                    ".note.GNU-stack",
+                                                    ".note.gnu.property"};
 constexpr std::string_view debug_sections = ".debug_";
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -54,16 +62,20 @@ bool is_one_statement(std::string_view line)
     return !quoted;
 }
 
+/// Identifiers may hold any letter of UTF-8, whose bytes beyond ASCII separate nothing for an assembler.
 bool is_label(std::string_view line)
 {
     return line.ends_with(':') && std::ranges::all_of(line.substr(0, line.size() - 1), [](char c) {
                return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-                      c == '.' || c == '$' || c == '@';
+                      c == '.' || c == '$' || c == '@' || static_cast<unsigned char>(c) >= 0x80;
            });
 }
 
 bool is_instruction(std::string_view line)
 {
+    // How the instruction that follows is to be written.
+    for (const std::string_view encoding : {"{vex} ", "{evex} "})
+        if (line.starts_with(encoding)) line.remove_prefix(encoding.size());
     const std::string_view name = operation_of(line);
     return name.front() >= 'a' && name.front() <= 'z' && std::ranges::all_of(name, [](char c) {
                return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.';

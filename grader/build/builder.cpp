@@ -29,15 +29,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Which file this is: another one has another size, or was written at another time.
+std::string stamp_of(const fs::path& file)
+{
+    std::error_code missing;
+    const auto size = fs::file_size(file, missing);
+    return missing ? "none\n" : fmt::format("{} {}\n", size, fs::last_write_time(file).time_since_epoch().count());
+}
+
 /// Everything that decides what a build gives: the precompiled header stands for those of all units, the unit's digest
-/// for its interfaces.
+/// for its interfaces; and the programs that refuse what is built.
 std::string content_key(const Toolchain& tools, const Exercise& exercise, const Sources& files)
 {
     const fs::path header = tools.student_header.string() + ".gch";
-    std::string all = fmt::format("15\n{}\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.digest, exercise.gl,
+    std::string all = fmt::format("16\n{}\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.digest, exercise.gl,
                                   exercise.gl_calls, exercise.glfw, exercise.counts_work, tools.compiler,
                                   fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
-    all += fmt::format("{} {}\n", fs::file_size(header), fs::last_write_time(header).time_since_epoch().count());
+    for (const fs::path& file : {header, tools.programs / "umbral-inspect", tools.programs / "assembler" / "as"})
+        all += stamp_of(file);
     all +=
         read_text(unit_folder(tools, exercise.id) / "exports.txt") + read_text(tools.units / "framework-exports.txt");
     for (const std::string& used : exercise.uses)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
@@ -14,8 +15,12 @@
 namespace umbral::grader {
 namespace {
 
+/// Processor time of one look at places: a student's library takes hundredths of a second.
+constexpr double most_place_seconds = 2;
+
 ConfinedResult run_inspector(const Toolchain& tools, const std::filesystem::path& library,
-                             const std::vector<std::string>& arguments, std::vector<std::string> also_read = {})
+                             const std::vector<std::string>& arguments, double seconds = 10,
+                             std::vector<std::string> also_read = {})
 {
     ConfinedCommand command;
     command.confine = tools.programs / "umbral-confine";
@@ -23,7 +28,7 @@ ConfinedResult run_inspector(const Toolchain& tools, const std::filesystem::path
     command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
     command.directory = library.parent_path();
     command.read = std::move(also_read);
-    command.cpu_seconds = 10;
+    command.cpu_seconds = seconds;
     command.memory_mib = 1024;
     command.output_limit = std::size_t{64} << 20U;
     ConfinedResult result = run_confined(command);
@@ -37,7 +42,7 @@ std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem:
                                   const std::filesystem::path& interface_names)
 {
     const ConfinedResult result = run_inspector(tools, library, {"names", library.string(), interface_names.string()},
-                                                {interface_names.string()});
+                                                10, {interface_names.string()});
     if (result.exit_status == confinement_failed)
         throw std::runtime_error(fmt::format("umbral-inspect cannot be run: {}", result.output));
     if (result.exit_status != 0) return std::nullopt;
@@ -92,7 +97,8 @@ std::vector<std::optional<SourcePlace>> places_of(const Toolchain& tools, const 
 {
     std::vector<std::string> arguments{"places", library.string()};
     for (const std::uint32_t address : addresses) arguments.push_back(std::to_string(address));
-    const ConfinedResult result = run_inspector(tools, library, arguments);
+    const double left = tools.budget ? tools.budget->left() : std::numeric_limits<double>::infinity();
+    const ConfinedResult result = run_inspector(tools, library, arguments, std::min(left, most_place_seconds));
     if (result.exit_status != 0) return {};
     std::vector<std::optional<SourcePlace>> places;
     std::string_view rest = result.output;

@@ -58,7 +58,7 @@ struct SourcePlace {
 };
 
 /// For each of these return addresses in the library the place in a file of `folder`'s own that called, or nothing.
-/// Empty if the library cannot be read.
+/// Empty if the library cannot be read, or takes longer than a student's could.
 [[nodiscard]] std::vector<std::optional<SourcePlace>> places_of(const Toolchain& tools,
                                                                 const std::filesystem::path& library,
                                                                 std::span<const std::uint32_t> addresses);

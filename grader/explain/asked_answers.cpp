@@ -1,5 +1,7 @@
 #include "explain/asked_answers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -82,6 +84,38 @@ bool is_right(const Check& check, const Tensor& yours, const Tensor& right, cons
     return judge(check, yours, right, margin).right >= 1;
 }
 
+/// "no row", "3 rows".
+std::string number_of_rows(std::size_t rows)
+{
+    return rows == 0 ? "no row" : fmt::format("{} {}", rows, rows == 1 ? "row" : "rows");
+}
+
+/// What is wrong in the rows of one question.
+std::optional<WrongGroup> wrong_group(const Check& check, std::uint32_t question, const RowsOfQuestion& rows,
+                                      const Tensor& yours, const Tensor& expected, const Expected& all,
+                                      const Tensor* margin)
+{
+    if (!judge_of(check).free_rows && yours.rows != expected.rows)
+        return WrongGroup{question, {"this call", number_of_rows(yours.rows), number_of_rows(expected.rows)}};
+    const Judgement judgement = judge(check, yours, expected, margin, all.names);
+    if (!judgement.first_difference) return std::nullopt;
+    WrongGroup group{question, *judgement.first_difference};
+    group.first.others.clear();
+    std::string where = "one call";
+    if (group.first.cell && *group.first.cell < rows.expected.size()) {
+        group.first.cell = rows.expected[*group.first.cell];
+        where = fmt::format("row {}", *group.first.cell);
+    } else {
+        group.first.cell.reset();
+    }
+    group.first.where = where == "one call" ? "this call" : fmt::format("{} of {}", where, all.value->rows);
+    const std::size_t begin = judgement.message.find(": ");
+    const std::size_t counts = judgement.message.rfind(" (");
+    if (begin != std::string::npos && counts != std::string::npos && begin < counts)
+        group.words = where + judgement.message.substr(begin, counts - begin);
+    return group;
+}
+
 /// All rows of a question together. The student's run says itself which of its rows are whose: it runs again for that.
 void add_groups(const AskedCheck& asked, const QuestionLog& log, const Expected& expected, std::uint64_t seed,
                 AskedAnswers& answers)
@@ -106,11 +140,15 @@ void add_groups(const AskedCheck& asked, const QuestionLog& log, const Expected&
         const Tensor one = student->rows == 0 ? some_rows(right, {}) : some_rows(*student, rows.yours);
         const Tensor other = some_rows(right, rows.expected);
         const Tensor margin = has_margin ? some_rows(*expected.margin, rows.expected) : Tensor();
+        const Tensor* const of_rows = has_margin ? &margin : nullptr;
         const bool is_refused = std::ranges::any_of(rows.yours, [&](std::size_t row) { return refused.contains(row); });
-        answers.all.push_back({question,
-                               std::nullopt,
-                               {is_refused ? std::vector<double>() : to_doubles(one), to_doubles(other),
-                                !is_right(check, one, other, has_margin ? &margin : nullptr), is_refused}});
+        const bool wrong = !is_right(check, one, other, of_rows);
+        if (wrong && !answers.first_wrong)
+            answers.first_wrong = wrong_group(check, question, rows, one, other, expected, of_rows);
+        answers.all.push_back(
+            {question,
+             std::nullopt,
+             {is_refused ? std::vector<double>() : to_doubles(one), to_doubles(other), wrong, is_refused}});
     }
     answers.optional = true;
 }
@@ -143,11 +181,9 @@ AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_
     return answers;
 }
 
-std::optional<std::uint32_t> first_wrong_group(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
+std::optional<WrongGroup> first_wrong_group(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
 {
-    for (const AskedAnswer& one : asked_answers(worker, asked, seed).all)
-        if (!one.row && one.answer.wrong) return one.question;
-    return std::nullopt;
+    return asked_answers(worker, asked, seed).first_wrong;
 }
 
 }

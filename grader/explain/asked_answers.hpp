@@ -35,6 +35,13 @@ struct AskedAnswer {
     AnswerPair answer{};
 };
 
+/// The first question of which all rows together are wrong.
+struct WrongGroup {
+    std::uint32_t question = 0;
+    Difference first;     ///< within its rows; the cell is one of the whole table
+    std::string words{};  ///< "row 12: expected crowded edge (5, 6), nothing came"; empty if the check's own say more
+};
+
 /// What a check's questions were answered.
 struct AskedAnswers {
     std::vector<AskedAnswer> all{};
@@ -45,6 +52,7 @@ struct AskedAnswers {
     bool picture = false;                ///< they are the cells of a picture or a buffer
     /// Where rows are events: what they are called, by their first number.
     std::map<double, NamedRows> kinds{};
+    std::optional<WrongGroup> first_wrong{};  ///< where the rows of a question are judged together
 };
 
 /// The answers with the inputs of a seed: row by row where rows are compared so, else, where their number is free or
@@ -52,9 +60,8 @@ struct AskedAnswers {
 /// be run again.
 [[nodiscard]] AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_t seed);
 
-/// The first question of which the rows together are wrong. Where rows are free, one that came too often is none of the
-/// expected ones, and has no question of its own.
-[[nodiscard]] std::optional<std::uint32_t> first_wrong_group(Worker& worker, const AskedCheck& asked,
-                                                             std::uint64_t seed);
+/// The first question of which the rows together are wrong, and what is wrong in them: what came in a call stands
+/// beside what was expected of that call, where a table as a whole only shows what is lacking and too much.
+[[nodiscard]] std::optional<WrongGroup> first_wrong_group(Worker& worker, const AskedCheck& asked, std::uint64_t seed);
 
 }

@@ -8,14 +8,14 @@
 #include "build/traced.hpp"
 #include "explain/asked_alone.hpp"
 #include "explain/asked_answers.hpp"
-#include "explain/explained_checks.hpp"
 #include "explain/other_cases.hpp"
 #include "explain/samples.hpp"
 #include "explain/traced_runs.hpp"
+#include "judge/explain/thresholds.hpp"
 #include "judge/judges.hpp"
+#include "model/caps.hpp"
 #include "question/passed_places.hpp"
 #include "report/failing_order.hpp"
-#include "text/printable.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -149,10 +149,9 @@ std::optional<CodePlace> code_place(const Built& built, const SourcePlace& place
         rest.remove_prefix(end + 1);
     }
     rest = rest.substr(0, rest.find('\n'));
+    while (rest.ends_with('\r')) rest.remove_suffix(1);
     const std::size_t indent = std::min(rest.find_first_not_of(" \t"), rest.size());
-    std::string text = printable(rest.substr(indent), most_bytes);
-    std::ranges::replace_if(
-        text, [](char letter) { return letter == '\t' || letter == '\n'; }, ' ');
+    std::string text = one_line(rest.substr(indent), most_bytes);
     const int column = place.column - static_cast<int>(indent);
     // What is written otherwise than it stands in the file has its columns elsewhere.
     const bool as_written = text == rest.substr(indent) && column <= static_cast<int>(text.size());
@@ -183,7 +182,10 @@ std::vector<std::size_t> failing_checks(Worker& worker, const Exercise& exercise
 void add_code_place(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases,
                     UnitResult& result)
 {
-    if (is_explained(result)) return;
+    const bool has_reason = std::ranges::any_of(result.explanations, [](const Explanation& one) {
+        return !one.hidden && one.fit == 1 && one.confidence >= thresholds::very_sure;
+    });
+    if (has_reason) return;
     const std::vector<std::size_t> checks = failing_checks(worker, exercise, cases, result);
     if (checks.empty()) return;
     const std::optional<Built> traced = build_traced(worker.tools(), exercise, built);

@@ -61,8 +61,10 @@ std::string loop_place(Worker& worker, const Exercise& exercise, const Built& bu
     const RunOutcome run = worker.run_traced(exercise, *traced, stopped->first, stopped->second.seed);
     const std::vector<std::uint32_t> blocks = run.verdict == Verdict::ok ? loop_in(run) : std::vector<std::uint32_t>();
     if (blocks.empty()) return "";
+    Toolchain tools = worker.tools();
+    tools.budget = traced->budget;
     std::map<std::string, std::set<int>> lines;
-    for (const auto& place : places_of(worker.tools(), traced->library, blocks))
+    for (const auto& place : places_of(tools, traced->library, blocks))
         if (place && place->line > 0 && traced->files.contains(place->file)) lines[place->file].insert(place->line);
     if (lines.empty()) return "";
     const auto& [file, numbers] =

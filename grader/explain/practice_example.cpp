@@ -42,8 +42,6 @@ std::string code_behind(Worker& worker, const AskedCheck& asked, const Differenc
     QuestionSpan span;
     if (first.cell)
         span = worker.questions(asked.exercise, case_name, seed).questions_of(asked.check.value, *first.cell, cells);
-    else if (const auto group = first_wrong_group(worker, asked, seed))
-        span = {*group, 1};
     if (span.count == 0) return "";
     return together(span, worker.code_of(asked.exercise, case_name, seed, shown_of(span)));
 }
@@ -56,8 +54,14 @@ std::optional<PracticeExample> practice_example(Worker& worker, const AskedCheck
     if (check.relation || judge_of(check).look != Look::none) return std::nullopt;
     const auto run = [&](std::uint64_t seed) { return asked.runs.plain(seed); };
     const auto wrong = first_wrong(worker, asked.exercise, check, most_tried, run);
-    if (!wrong || !wrong->found.first_difference) return std::nullopt;
+    if (!wrong) return std::nullopt;
     const std::uint64_t seed = wrong->one.seed;
+    if (auto group = first_wrong_group(worker, asked, seed)) {
+        group->first.question =
+            together({group->question, 1}, worker.code_of(asked.exercise, check.case_name, seed, {group->question}));
+        return PracticeExample{std::move(group->first), seed};
+    }
+    if (!wrong->found.first_difference) return std::nullopt;
     const RunOutcome& expected = worker.trusted(asked.exercise, judged_against(check), check.case_name, seed);
     const Tensor* const table = expected_of(check, expected).value;
     PracticeExample example{*wrong->found.first_difference, seed};

@@ -92,9 +92,13 @@ public:
         if (result.beside || !may_repeat(worker_, exercise_, one_)) return;
         AskedCheck asked{exercise_, check, runs_, one_, log_, headers};
         asked.others = [&](const auto& look) { look_elsewhere(check, headers, look); };
-        if (result.first_difference && !result.first_difference->cell)
-            if (const auto question = first_wrong_group(worker_, asked, one_.seed))
-                shown_.push_back({{*question, 1}, &result.first_difference->question});
+        if (auto group = first_wrong_group(worker_, asked, one_.seed)) {
+            const std::size_t counts = result.message.rfind(" (");
+            if (!group->words.empty() && judge_of(check).free_rows && counts != std::string::npos)
+                result.message = group->words + result.message.substr(counts);
+            result.first_difference = std::move(group->first);
+            shown_.push_back({{group->question, 1}, &result.first_difference->question});
+        }
         if (one_.hidden)
             if (auto example = practice_example(worker_, asked)) {
                 result.practice_example = std::move(example->first);

@@ -48,7 +48,7 @@ const PlacesOfQuestions* TracedRuns::places(const Check& check, std::uint64_t se
 
 PlacesOfQuestions TracedRuns::placed(const Blocks& blocks)
 {
-    constexpr std::size_t most_at_once = 4096;  // arguments of the inspector
+    constexpr std::size_t most_at_once = 1024;  // a useful run has some hundred
     std::set<std::uint32_t> fresh;
     for (const auto& [question, block] : blocks)
         if (!numbers_.contains(block)) fresh.insert(block);
@@ -66,7 +66,10 @@ PlacesOfQuestions TracedRuns::placed(const Blocks& blocks)
 void TracedRuns::look_up(const std::vector<std::uint32_t>& blocks)
 {
     if (blocks.empty()) return;
-    const auto found = places_of(worker_.tools(), traced_.library, blocks);
+    Toolchain tools = worker_.tools();
+    tools.budget = traced_.budget;
+    const auto found = places_of(tools, traced_.library, blocks);
+    if (found.empty()) is_readable_ = false;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         std::optional<std::uint32_t>& number = numbers_[blocks[i]];
         if (i >= found.size() || !found[i] || !traced_.files.contains(found[i]->file)) continue;

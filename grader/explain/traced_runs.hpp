@@ -26,7 +26,10 @@ public:
     {
     }
 
-    [[nodiscard]] bool has_time() const { return worker_.spare_time().is_left() && worker_.run_seconds() < end_; }
+    [[nodiscard]] bool has_time() const
+    {
+        return is_readable_ && worker_.spare_time().is_left() && worker_.run_seconds() < end_;
+    }
 
     /// Of a run with the inputs of a seed, if it records the same as `plain` did of the check's value; null if it does
     /// not.
@@ -47,6 +50,7 @@ private:
     const Exercise& exercise_;
     const Built& traced_;
     double end_;
+    bool is_readable_ = true;  ///< its debug information, in the time that there is for it
     std::map<std::pair<std::string, std::uint64_t>, Run> runs_;
     std::map<std::uint32_t, std::optional<std::uint32_t>> numbers_;  ///< of blocks, by their addresses
     std::vector<SourcePlace> places_;

@@ -43,13 +43,14 @@ std::vector<std::string> code_lines(std::string_view code, int width, const Pain
 {
     constexpr int indent = 2;
     constexpr std::size_t most = 24;
-    constexpr std::size_t most_first = 12;  ///< of more than that, and the last one
+    constexpr std::size_t most_first = 4;  ///< of more than that, and the last ones, which led to the answer
     std::vector<std::string> written;
     for (std::size_t place = 0; place < code.size(); place = std::min(code.find('\n', place), code.size()) + 1)
         written.emplace_back(code.substr(place, code.find('\n', place) - place));
     if (const std::size_t all = written.size(); all > most) {
-        written.erase(written.begin() + most_first, written.end() - 1);
-        written.insert(written.end() - 1, fmt::format("// … {} lines left out", all - most_first - 1));
+        const auto left_out = static_cast<std::ptrdiff_t>(all - most + 1);
+        written.erase(written.begin() + most_first, written.begin() + most_first + left_out);
+        written.insert(written.begin() + most_first, fmt::format("// … {} lines left out", left_out));
     }
     std::vector<std::string> lines;
     for (const std::string& line : written) {

@@ -18,7 +18,8 @@ TEST(AssemblerText, of_instructions_labels_and_data_is_the_compilers)
          {"", "\n", "\t.text\n_Z1fv:\n.LFB0:\n\t.cfi_startproc\n\trep movsq\n\tmovl\t%fs:_ZTIi@tpoff, %eax\n",
           "\t.string\t\"a;b /* c \\\" .incbin # d\"\n", "\tret # a; b\n", "# 12 \"a.cpp\"\n", "#NO_APP\n",
           "\t.section\t.text._Z1fv,\"axG\",@progbits,_Z1fv,comdat\n", "\t.section\t.debug_str,\"MS\",@progbits,1\n",
-          "\t.section\t.note.GNU-stack,\"\",@progbits\n", "\t.section\t.rodata.str1.1,\"aMS\",@progbits,1\n"})
+          "_Z6größei:\n", "\t{vex} vpdpbusd\t%xmm1, %xmm0, %xmm0\n", "\t{evex} vpaddd %xmm1, %xmm0, %xmm0\n",
+          "\t.section\t.note.gnu.property,\"a\"\n", "\t.section\t.note.GNU-stack,\"\",@progbits\n", "\t.section\t.rodata.str1.1,\"aMS\",@progbits,1\n"})
         EXPECT_EQ(foreign_in(text), "nothing") << text;
 }
 
@@ -33,7 +34,8 @@ TEST(AssemblerText, that_was_written_by_hand_is_told)
           "\t.string \"a\n\t.ascii b\"\n", "\t.section .debug_info,\"aw\"\n", "\t.section .eh_frame,\"a\",@progbits\n",
           "\t.section .textual,\"ax\"\n", "\t.macro ret\n", "\t.symver a,b@c\n", "\t.print \"a\"\n", "\t.end\n",
           "\"f\":\n", "\t.rept 100000000\n", "\t.org 1000000\n", "\t.fill 1000000\n", "\t.reloc 1\n",
-          "\t.pushsection .init,\"ax\"\n"})
+          "\t.pushsection .init,\"ax\"\n", "{vex} .incbin \"a\"\n", "gr\xC3\xB6\xC3\x9F" "e .incbin \"a\"\n",
+          "\t{disp8} ret\n"})
         EXPECT_NE(foreign_in(text), "nothing") << text;
 }
 
@@ -71,6 +73,10 @@ TEST_F(CompiledText, of_cpp_is_the_compilers)
         "__attribute__((weak, visibility(\"hidden\"))) int weak() { return 2; }\n"
         "extern \"C\" int renamed() __asm__(\"plain_name\");\n"
         "__m128 twice(__m128 v) { return _mm_add_ps(v, v); }\n"
+        "namespace größe { template <class T> struct Maß { virtual T länge() const { return T(3); } }; "
+        "static int \\u00f1(int año) { static int caché = año; return ++caché; } }\n"
+        "double volumen(int año) { return größe::Maß<double>().länge() + größe::\\u00f1(año); }\n"
+        "template struct größe::Maß<float>;\n"
         "int g(Base& b, std::variant<int, std::string> v, int k)\n{\n    static std::vector<int> all(100);\n"
         "    std::mt19937 engine(1);\n    std::iota(all.begin(), all.end(), renamed() + weak());\n"
         "    std::sort(all.begin(), all.end(), std::greater<>());\n    counter += k;\n"

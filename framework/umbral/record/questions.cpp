@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t most_code = std::size_t{4} << 20U;
 constexpr std::size_t most_numbers = std::size_t{1} << 20U;  ///< of features, in one table
-constexpr std::size_t lines_shown = 6;
+constexpr std::size_t lines_shown = 12;
 constexpr std::size_t longest_name = 64;
 
 Tensor text_tensor(std::string_view text)
