@@ -29,7 +29,7 @@ std::vector<std::uint32_t> loop_in(const RunOutcome& run)
 }
 
 /// "line 4", "lines 6 to 9 and 20".
-std::string in_words(const std::set<int>& lines)
+std::string lines_in_words(const std::set<int>& lines)
 {
     std::vector<std::pair<int, int>> ranges;
     for (const int line : lines) {
@@ -69,7 +69,7 @@ std::string loop_place(Worker& worker, const Exercise& exercise, const Built& bu
     if (lines.empty()) return "";
     const auto& [file, numbers] =
         *std::ranges::max_element(lines, {}, [](const auto& one) { return one.second.size(); });
-    return fmt::format("{}: one call runs {} of {} again and again\n", stopped->first, in_words(numbers), file);
+    return fmt::format("{}: one call runs {} of {} again and again\n", stopped->first, lines_in_words(numbers), file);
 }
 
 }

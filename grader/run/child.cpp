@@ -178,6 +178,16 @@ std::string no_such_case(const Driver& driver, const std::string& name)
     _exit(0);
 }
 
+/// The same with what was taken down of questions and, if there is a trace, of blocks.
+[[noreturn]] void finish(wire::Header& header, Recorder& recorder, const std::optional<BlockTrace>& trace)
+{
+    recorder.finish();
+    if (!trace) finish(header, recorder.tensors());
+    Recorder::Tensors tensors = recorder.tensors();
+    trace->write(tensors);
+    finish(header, tensors);
+}
+
 /// Sets the number by which a library of mutants chooses (mutants/schemata.hpp). Asked for of trusted libraries only.
 void choose_mutant(wire::Header& header, void* library, unsigned number)
 {
@@ -266,13 +276,7 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     Questions questions(job.inquiry);
     Recorder* recorded = nullptr;
     std::optional<BlockTrace> trace;
-    const auto end = [&] {
-        recorded->finish();
-        if (!trace) finish(header, recorded->tensors());
-        Recorder::Tensors tensors = recorded->tensors();
-        trace->write(tensors);
-        finish(header, tensors);
-    };
+    const auto end = [&] { finish(header, *recorded, trace); };
     Progress progress(header.asked, header.function, job.passed_over, end);
     Recorder recorder = asks_anything(job.inquiry) ? Recorder(questions) : Recorder(progress);
     recorded = &recorder;
@@ -286,7 +290,7 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
         questions.at_each_question([&] { trace->next_question(); });
     }
     run_case(*one, what, recorder);
-    end();
+    finish(header, recorder, trace);
 }
 
 }

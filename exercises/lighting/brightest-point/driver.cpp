@@ -46,7 +46,12 @@ void by_hand(Variation& vary, Recorder& out)
                                               {{{0, 0, 0}, 1}, {{-1, 0, 0, 0}}, {4, 0, 0}},
                                               {{{0, 0, 0}, 5}, {{15, 20, 0, 1}}, {-15, 20, 0}},
                                               {{{2, 0, 0}, 0.5F}, {{0, 0, 3, 0}}, {2, 0.8F, 0.6F}},
-                                              {{{0, 0, 0}, 1}, {{1, 2, 0, 1}}, {-1, 2, 0}}};
+                                              {{{0, 0, 0}, 1}, {{1, 2, 0, 1}}, {-1, 2, 0}},
+                                              // In one direction, whose unit vector has a length that is rounded up.
+                                              {{{0, 0, 0}, 1}, {{-6, 8, -7, 1}}, {-18, 24, -21}},
+                                              {{{0, 0, 0}, 1}, {{-1, 2, -8, 1}}, {-3, 6, -24}},
+                                              {{{0, 0, 0}, 1}, {{12, -18, 3, 1}}, {4, -6, 1}},
+                                              {{{0, 0, 0}, 1}, {{7, 3, -5, 1}}, {14, 6, -10}}};
     for (LitSphere q : in_random_order(vary, questions)) {
         const ExactMap map = vary.exact_map(0);
         for (glm::vec3* const place : {&q.sphere.centre, &q.eye}) *place = map.place(*place);

@@ -1,5 +1,6 @@
 #include <kit/amount.hpp>
 #include <kit/varied.hpp>
+#include <tuple>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
@@ -174,6 +175,39 @@ std::vector<Sample> larger_meshes(Random& random)
     return meshes;
 }
 
+/// A triangle's corners in order, so that it is the same whichever way round it is written.
+glm::uvec3 in_order(glm::uvec3 triangle)
+{
+    std::sort(&triangle.x, &triangle.x + 3);
+    return triangle;
+}
+
+/// The triangles that strips draw, whatever strips they are; without those that nobody sees.
+std::vector<glm::uvec3> triangles_in(const std::vector<Strip>& strips)
+{
+    std::vector<glm::uvec3> triangles;
+    for (const Strip& strip : strips)
+        for (std::size_t i = 2; i < strip.size(); ++i) {
+            const glm::uvec3 triangle = in_order({strip[i - 2], strip[i - 1], strip[i]});
+            if (triangle.x != triangle.y && triangle.y != triangle.z) triangles.push_back(triangle);
+        }
+    return triangles;
+}
+
+/// Do the strips draw these triangles, each as often as the mesh has it?
+bool draw_all_of(const std::vector<Strip>& strips, const IndexedMesh& mesh)
+{
+    constexpr auto less = [](const glm::uvec3& a, const glm::uvec3& b) {
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+    };
+    std::vector<glm::uvec3> drawn = triangles_in(strips);
+    std::vector<glm::uvec3> wanted;
+    for (const glm::uvec3& triangle : mesh.triangles) wanted.push_back(in_order(triangle));
+    std::ranges::sort(drawn, less);
+    std::ranges::sort(wanted, less);
+    return drawn == wanted;
+}
+
 // How many indices all strips of a mesh have, as the mean of twelve random orders: in a single one, strips without a
 // choice may come off badly by chance. One mesh is much larger than the others, so that no one number is near them all.
 void record_index_counts(Random& random, Recorder& out)
@@ -186,14 +220,20 @@ void record_index_counts(Random& random, Recorder& out)
                                                         {"tube(8, 5)", tube(8, 5)},
                                                         {"torus(50, 40)", torus(50, 40)}}) {
         std::size_t count = 0;
+        bool draw_it = true;
         const int orders = mesh.triangles.size() < 1000 ? 12 : 1;
         ask_in_words(out, [&, name = name, faces = mesh.triangles.size()] {
             return "// all indices of the strips, of " + std::to_string(faces) + " triangles; the mean of " +
                    std::to_string(orders) + " random orders\nmake_strips(shuffled(" + name + ", random))";
         });
-        for (int order = 0; order < orders; ++order)
-            for (const Strip& strip : make_strips(shuffled(mesh, random))) count += strip.size();
-        out.append("indices", static_cast<float>(count) / static_cast<float>(orders));
+        for (int order = 0; order < orders; ++order) {
+            const IndexedMesh asked = shuffled(mesh, random);
+            const std::vector<Strip> strips = make_strips(asked);
+            for (const Strip& strip : strips) count += strip.size();
+            draw_it = draw_it && draw_all_of(strips, asked);
+        }
+        // Few indices are worth something where they draw the mesh.
+        out.append("indices", draw_it ? static_cast<float>(count) / static_cast<float>(orders) : -1.0F);
     }
 }
 
@@ -256,18 +296,7 @@ std::vector<Sample> odd_meshes(Random& random)
     return meshes;
 }
 
-/// The triangles that strips draw, whatever strips they are.
-Amount amount_of(const std::vector<Strip>& strips)
-{
-    std::vector<glm::uvec3> triangles;
-    for (const Strip& strip : strips)
-        for (std::size_t i = 2; i < strip.size(); ++i) {
-            glm::uvec3 triangle(strip[i - 2], strip[i - 1], strip[i]);
-            std::sort(&triangle.x, &triangle.x + 3);
-            if (triangle.x != triangle.y && triangle.y != triangle.z) triangles.push_back(triangle);
-        }
-    return Amount().in_any_order(triangles);
-}
+Amount amount_of(const std::vector<Strip>& strips) { return Amount().in_any_order(triangles_in(strips)); }
 
 void record_work(Random& random, Recorder& out)
 {

@@ -34,6 +34,7 @@ void record_tables(Recorder& out, const PolygonMesh& mesh)
     const auto result = ask<winged_edges>(out, mesh);
     const auto* const got = std::get_if<WingedMesh>(&result);
     const WingedMesh tables = got != nullptr ? *got : WingedMesh{};
+    out.columns("edges", "start, end, left, right, left_previous, left_next, right_previous, right_next");
     out.append("edges", std::vector<float>{static_cast<float>(tables.edges.size()), 0, 0, 0, 0, 0, 0, 0});
     for (std::size_t i = 0; i < corners / 2; ++i) {
         if (i < tables.edges.size()) {
@@ -51,6 +52,9 @@ void record_tables(Recorder& out, const PolygonMesh& mesh)
 /// The fault and where; zeros for a mesh that was accepted.
 void record_fault(Recorder& out, const PolygonMesh& mesh)
 {
+    out.columns("faults",
+                "fault (0: none; 1: face; 2: crowded_edge; 3: open_edge; 4: incoherent_edge; 5: lonely_vertex; 6: "
+                "pinched_vertex), a, b");
     const auto result = ask<winged_edges>(out, mesh);
     if (const auto* const fault = std::get_if<NotWinged>(&result))
         append_row(out, "faults", {static_cast<std::uint32_t>(fault->fault), fault->a, fault->b});

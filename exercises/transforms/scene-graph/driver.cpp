@@ -95,10 +95,17 @@ glm::vec2 thrown_by(Recorder& out, const SceneGraph& graph, std::size_t limit)
     }
 }
 
+void name_thrown(Recorder& out)
+{
+    out.columns("thrown",
+                "thrown (0: nothing; 1: CycleError; 2: TooManyInstances; 3: std::out_of_range; 4: something else), "
+                "instances");
+}
+
 // In pairs: what is in order, and what is not by one.
 void record_limits(Recorder& out, Random& random)
 {
-    out.columns("thrown", "thrown, instances");
+    name_thrown(out);
     for (int i = 0; i < 42; ++i) {
         SceneGraph good = random_chain(random, false);
         // Nothing leads to this node.
@@ -166,7 +173,7 @@ void record_many_ways(Random& random, Recorder& out)
 {
     const SceneGraph graph = ways_to_nothing(18, random);
     record_instances(out, ask<expand>(out, graph, plenty));
-    out.columns("thrown", "thrown, instances");
+    name_thrown(out);
     out.append("thrown", thrown_by(out, graph, 4));
     out.append("thrown", thrown_by(out, graph, 5));
     out.append("thrown", thrown_by(out, doubling(60, {object(1)}), 100'000));

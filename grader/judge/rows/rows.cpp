@@ -84,6 +84,44 @@ void add_word(const std::string& column, double value, std::string& text)
         text += " (" + word + ")";
 }
 
+/// Do the numbers of a row have names of their own, which a reader of "(4, 0, 6)" would have to look up? Not x, y, z,
+/// nor the coordinates of one vector.
+bool has_own_names(const std::vector<std::string>& columns, std::size_t components)
+{
+    constexpr std::size_t longest_letter = 2;
+    if (components < 2 || components > most_shown_whole || columns.size() != components) return false;
+    const std::string_view first = columns.front();
+    const std::string_view vector = first.substr(0, std::min(first.find('.'), first.size() - 1) + 1);
+    const bool is_vector = vector.ends_with('.') && std::ranges::all_of(columns, [&](const std::string& column) {
+                               return column.starts_with(vector);
+                           });
+    return !is_vector && std::ranges::none_of(columns, &std::string::empty) &&
+           std::ranges::any_of(columns, [](const std::string& column) { return column.size() > longest_letter; });
+}
+
+/// "nodes 4, thrown 2 (TooManyInstances)".
+std::string with_names(const RowPairs& pairs, const TensorView& view, std::size_t row, int digits)
+{
+    if (!view.present(row)) return pairs.kind.show(view, row, 0, digits);
+    std::string all;
+    for (std::size_t i = 0; i < view.components(); ++i) {
+        std::string number = pairs.kind.show_number(view.cell(row), i, digits);
+        add_word(pairs.columns[i], view.cell(row)[i], number);
+        all += fmt::format("{}{} {}", i == 0 ? "" : ", ", column_word(pairs.columns[i], 0).name, number);
+    }
+    return all;
+}
+
+/// Is the first wrong number of a row a code, which has a word for what it is or should be?
+bool is_code(const RowPairs& pairs, std::size_t row)
+{
+    const std::vector<std::size_t> wrong =
+        wrong_components(pairs.check, pairs.student, pairs.expected, row, pairs.kind);
+    if (wrong.empty() || pairs.columns.size() != pairs.expected.components() || !pairs.expected.present(row))
+        return false;
+    return !column_word(pairs.columns[wrong.front()], pairs.expected.cell(row)[wrong.front()]).word.empty();
+}
+
 void add_quantiles(std::vector<double> errors, std::map<std::string, double>& metrics)
 {
     if (errors.empty()) return;
@@ -119,6 +157,12 @@ Difference row_difference(const RowPairs& pairs, std::size_t row)
     const std::string names = wrong_columns(pairs, row);
     Difference result{kind.where(row, components, first) + (names.empty() ? "" : ", " + names), "", "", row};
     const bool alone = !names.empty() && components > most_shown_whole;
+    if (has_own_names(columns, components)) {
+        std::tie(result.yours, result.expected) = telling_apart([&](int digits) {
+            return std::pair(with_names(pairs, student, row, digits), with_names(pairs, expected, row, digits));
+        });
+        return result;
+    }
     std::tie(result.yours, result.expected) = telling_apart([&](int digits) {
         return alone ? std::pair(kind.show_number(student.cell(row), first, digits),
                                  kind.show_number(expected.cell(row), first, digits))
@@ -207,9 +251,9 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
     result.first_difference = row_difference(pairs, *first_wrong);
     const Difference shown = row_difference(pairs, *worst_wrong);
     // Of codes and counts the difference says nothing, or what one sees.
-    const std::string distance = worst.comparable && std::isfinite(worst.error) && is_real(expected_tensor.element)
-                                     ? " (" + error_text(unit_of(check.tolerance), worst.error) + ")"
-                                     : "";
+    const bool has_distance = worst.comparable && std::isfinite(worst.error) && is_real(expected_tensor.element) &&
+                              !is_code(pairs, *worst_wrong);
+    const std::string distance = has_distance ? " (" + error_text(unit_of(check.tolerance), worst.error) + ")" : "";
     const std::string of = rows == 1 ? fmt::format("The only {} is wrong: ", kind.one)
                                      : fmt::format("{} of {} {} {} wrong; the worst is ", wrong, rows, kind.many,
                                                    wrong == 1 ? "is" : "are");
