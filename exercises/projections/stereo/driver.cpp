@@ -211,8 +211,6 @@ void record_infinite(Random& random, Recorder& out)
         const bool is_huge = i % 3 == 2;
         const StereoScreen screen = with_far_plane(random_screen(random), is_huge, random);
         record(out, screen);
-        // Lengths whose squares are more than a float can hold, or less.
-        if (i % 3 == 0) record(out, in_units(random_screen(random), std::exp2(i % 2 == 0 ? 70.0F : -80.0F)));
         record_parallax(out, screen, i % 2 == 0 ? infinity : screen.distance * random.uniform(0.5F, 9));
         const bool first = random.below(2) == 1;
         const StereoScreen other = in_some_units(screen, i / 2, random);

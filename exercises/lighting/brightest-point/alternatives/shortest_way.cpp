@@ -55,7 +55,8 @@ std::optional<glm::vec3> brightest_specular(const Sphere& sphere, const Light& l
     const Vector b = (Vector(eye) - Vector(sphere.centre)) / r;
     const Vector x_axis = normalize(a);
     const Vector off = b - dot(b, x_axis) * x_axis;
-    const Vector y_axis = length(off) > 0 ? normalize(off) : Vector(0);
+    // What rounding leaves of nothing has no direction.
+    const Vector y_axis = length(off) > 1e-15L * length(b) ? normalize(off) : Vector(0);
     const Real eye_x = dot(b, x_axis);
     const Real eye_y = dot(b, y_axis);
     const Real light_x = length(a);
