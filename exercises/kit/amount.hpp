@@ -32,7 +32,8 @@ public:
         return count(sum >> 8U);  // what a float holds exactly
     }
 
-    /// Numbers or vectors where the order matters: the mean of each component, and the mean weighted by the place.
+    /// Numbers, or vectors of two or three, where the order matters: the mean of each component, and the mean weighted
+    /// by the place.
     template <class Elements>
     Amount& in_order(const Elements& elements)
     {
@@ -40,8 +41,8 @@ public:
         glm::dvec3 weighted(0);
         double place = 0;
         for (const auto& element : elements) {
-            mean += glm::dvec3(element);
-            weighted += ++place * glm::dvec3(element);
+            mean += wide(element);
+            weighted += ++place * wide(element);
         }
         count(static_cast<std::size_t>(place));
         const double size = place > 0 ? place : 1;
@@ -55,6 +56,12 @@ public:
     operator std::vector<float>() const { return numbers_; }
 
 private:
+    [[nodiscard]] static glm::dvec3 wide(const glm::vec2& vector) { return {vector, 0}; }
+    template <class Element>
+    [[nodiscard]] static glm::dvec3 wide(const Element& element)
+    {
+        return glm::dvec3(element);
+    }
     [[nodiscard]] static std::uint32_t mixed(std::uint32_t number)
     {
         // Based on: C. Wellons, Hash Prospector (the function "lowbias32").

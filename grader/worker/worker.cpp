@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <umbral/record/block_trace.hpp>
 #include <umbral/record/cost.hpp>
 
 #include "build/build_cache.hpp"
@@ -201,16 +200,6 @@ RunOutcome Worker::run_told(const Exercise& exercise, const Built& built, const 
     wanted.inquiry.questions = true;
     for (const auto& [name, most] : WantedTensors(wanted.wanted))
         wanted.wanted.emplace(std::string(question_names::rows) + name, most);
-    return spare_time_.spent_on(run_students(exercise, wanted));
-}
-
-RunOutcome Worker::run_traced(const Exercise& exercise, const Built& traced, const std::string& case_name,
-                              std::uint64_t seed)
-{
-    RunRequest wanted = students_request(exercise, traced, case_name, seed);
-    wanted.inquiry.blocks = true;
-    wanted.wanted.emplace(std::string(blocks_of_questions), BlockTrace::most_rows);
-    wanted.wanted.emplace(std::string(blocks_of_loop), BlockTrace::blocks_in_loop);
     return spare_time_.spent_on(run_students(exercise, wanted));
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <umbral/record/block_trace.hpp>
 #include <vector>
 
 #include "build/builder.hpp"
@@ -128,7 +129,14 @@ public:
     /// Runs one case with what build_traced (build/traced.hpp) made of a student's files, and has it say as well
     /// through which blocks of its code each question went.
     [[nodiscard]] RunOutcome run_traced(const Exercise& exercise, const Built& traced, const std::string& case_name,
-                                        std::uint64_t seed);
+                                        std::uint64_t seed)
+    {
+        RunRequest wanted = students_request(exercise, traced, case_name, seed);
+        wanted.inquiry.blocks = true;
+        wanted.wanted.emplace(std::string(blocks_of_questions), BlockTrace::most_rows);
+        wanted.wanted.emplace(std::string(blocks_of_loop), BlockTrace::blocks_in_loop);
+        return spare_time_.spent_on(run_students(exercise, wanted));
+    }
 
     /// Runs one case with a student's build on inputs of this grain, of which is read what `expected` holds too.
     /// Nothing is kept.

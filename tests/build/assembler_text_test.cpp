@@ -19,7 +19,8 @@ TEST(AssemblerText, of_instructions_labels_and_data_is_the_compilers)
           "\t.string\t\"a;b /* c \\\" .incbin # d\"\n", "\tret # a; b\n", "# 12 \"a.cpp\"\n", "#NO_APP\n",
           "\t.section\t.text._Z1fv,\"axG\",@progbits,_Z1fv,comdat\n", "\t.section\t.debug_str,\"MS\",@progbits,1\n",
           "_Z6größei:\n", "\t{vex} vpdpbusd\t%xmm1, %xmm0, %xmm0\n", "\t{evex} vpaddd %xmm1, %xmm0, %xmm0\n",
-          "\t.section\t.note.gnu.property,\"a\"\n", "\t.section\t.note.GNU-stack,\"\",@progbits\n", "\t.section\t.rodata.str1.1,\"aMS\",@progbits,1\n"})
+          "\t.section\t.note.gnu.property,\"a\"\n", "\t.section\t.note.GNU-stack,\"\",@progbits\n",
+          "\t.section\t.rodata.str1.1,\"aMS\",@progbits,1\n"})
         EXPECT_EQ(foreign_in(text), "nothing") << text;
 }
 
@@ -29,13 +30,28 @@ TEST(AssemblerText, that_was_written_by_hand_is_told)
     EXPECT_EQ(foreign_in("#APP\n"), "");
     EXPECT_EQ(foreign_in("\t.incbin \"/etc/passwd\"\n"), ".incbin \"/etc/passwd\"");
     EXPECT_EQ(foreign_in(".include \"a\""), ".include \"a\"");
-    for (const char* text :
-         {"\tret; .incbin \"a\"\n", "\tret /* .incbin */\n", "f: .incbin \"a\"\n", "\tf:\t.incbin \"a\"\n",
-          "\t.string \"a\n\t.ascii b\"\n", "\t.section .debug_info,\"aw\"\n", "\t.section .eh_frame,\"a\",@progbits\n",
-          "\t.section .textual,\"ax\"\n", "\t.macro ret\n", "\t.symver a,b@c\n", "\t.print \"a\"\n", "\t.end\n",
-          "\"f\":\n", "\t.rept 100000000\n", "\t.org 1000000\n", "\t.fill 1000000\n", "\t.reloc 1\n",
-          "\t.pushsection .init,\"ax\"\n", "{vex} .incbin \"a\"\n", "gr\xC3\xB6\xC3\x9F" "e .incbin \"a\"\n",
-          "\t{disp8} ret\n"})
+    for (const char* text : {"\tret; .incbin \"a\"\n",
+                             "\tret /* .incbin */\n",
+                             "f: .incbin \"a\"\n",
+                             "\tf:\t.incbin \"a\"\n",
+                             "\t.string \"a\n\t.ascii b\"\n",
+                             "\t.section .debug_info,\"aw\"\n",
+                             "\t.section .eh_frame,\"a\",@progbits\n",
+                             "\t.section .textual,\"ax\"\n",
+                             "\t.macro ret\n",
+                             "\t.symver a,b@c\n",
+                             "\t.print \"a\"\n",
+                             "\t.end\n",
+                             "\"f\":\n",
+                             "\t.rept 100000000\n",
+                             "\t.org 1000000\n",
+                             "\t.fill 1000000\n",
+                             "\t.reloc 1\n",
+                             "\t.pushsection .init,\"ax\"\n",
+                             "{vex} .incbin \"a\"\n",
+                             "gr\xC3\xB6\xC3\x9F"
+                             "e .incbin \"a\"\n",
+                             "\t{disp8} ret\n"})
         EXPECT_NE(foreign_in(text), "nothing") << text;
 }
 

@@ -106,11 +106,12 @@ TEST(Ask, leaves_out_the_middle_of_long_stories_and_lists_unless_in_full)
         (void)ask<&Counter::total>(out, *counter);
         (void)ask<sum>(out, std::vector<float>(20, 1.0F), Side::front);
     };
-    EXPECT_EQ(text(asked({.wanted = {17, 18}}, run), "?code"),
-              "17\tconst auto counter = make_counter(5);|// … 5 calls left out|counter->add(5);|counter->add(6);"
-              "|counter->add(7);|counter->add(8);|counter->add(9);|counter->add(10);|counter->add(11);|counter->add(12);"
-              "|counter->add(13);|counter->add(14);|counter->add(15);|counter->total()\n"
-              "18\tsum(std::vector<float>{1, 1, 1, … 17 more}, Side::front)\n");
+    EXPECT_EQ(
+        text(asked({.wanted = {17, 18}}, run), "?code"),
+        "17\tconst auto counter = make_counter(5);|// … 5 calls left out|counter->add(5);|counter->add(6);"
+        "|counter->add(7);|counter->add(8);|counter->add(9);|counter->add(10);|counter->add(11);|counter->add(12);"
+        "|counter->add(13);|counter->add(14);|counter->add(15);|counter->total()\n"
+        "18\tsum(std::vector<float>{1, 1, 1, … 17 more}, Side::front)\n");
     const std::string full = text(asked({.wanted = {17, 18}, .in_full = true}, run), "?code");
     EXPECT_NE(full.find("counter->add(0);|counter->add(1)"), std::string::npos);
     EXPECT_EQ(full.find("…"), std::string::npos);

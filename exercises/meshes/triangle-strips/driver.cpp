@@ -1,6 +1,5 @@
 #include <kit/amount.hpp>
 #include <kit/varied.hpp>
-#include <tuple>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
@@ -8,6 +7,7 @@
 #include "../zoo.hpp"
 #include "picture.hpp"
 #include "strip_log.hpp"
+#include "strip_triangles.hpp"
 
 namespace umbral {
 namespace {
@@ -173,39 +173,6 @@ std::vector<Sample> larger_meshes(Random& random)
                                   {"fan", disc(30)}};
     for (auto& [name, mesh] : meshes) mesh = shuffled(mesh, random);
     return meshes;
-}
-
-/// A triangle's corners in order, so that it is the same whichever way round it is written.
-glm::uvec3 in_order(glm::uvec3 triangle)
-{
-    std::sort(&triangle.x, &triangle.x + 3);
-    return triangle;
-}
-
-/// The triangles that strips draw, whatever strips they are; without those that nobody sees.
-std::vector<glm::uvec3> triangles_in(const std::vector<Strip>& strips)
-{
-    std::vector<glm::uvec3> triangles;
-    for (const Strip& strip : strips)
-        for (std::size_t i = 2; i < strip.size(); ++i) {
-            const glm::uvec3 triangle = in_order({strip[i - 2], strip[i - 1], strip[i]});
-            if (triangle.x != triangle.y && triangle.y != triangle.z) triangles.push_back(triangle);
-        }
-    return triangles;
-}
-
-/// Do the strips draw these triangles, each as often as the mesh has it?
-bool draw_all_of(const std::vector<Strip>& strips, const IndexedMesh& mesh)
-{
-    constexpr auto less = [](const glm::uvec3& a, const glm::uvec3& b) {
-        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-    };
-    std::vector<glm::uvec3> drawn = triangles_in(strips);
-    std::vector<glm::uvec3> wanted;
-    for (const glm::uvec3& triangle : mesh.triangles) wanted.push_back(in_order(triangle));
-    std::ranges::sort(drawn, less);
-    std::ranges::sort(wanted, less);
-    return drawn == wanted;
 }
 
 // How many indices all strips of a mesh have, as the mean of twelve random orders: in a single one, strips without a

@@ -225,15 +225,6 @@ void record_long(Variation& vary, Random& random, Recorder& out)
     record_dense(random, out);
 }
 
-/// Points in the plane z = 0.
-template <class Points>
-std::vector<glm::vec3> flat(const Points& points)
-{
-    std::vector<glm::vec3> result;
-    for (const auto& point : points) result.emplace_back(point.x, point.y, 0);
-    return result;
-}
-
 void record_work(Recorder& out)
 {
     out.text("blocks.names", "sides");
@@ -242,7 +233,7 @@ void record_work(Recorder& out)
             const std::vector<glm::vec2> loop = ask<polygon_loop>(out, sides);
             const std::vector<glm::vec2> segments = ask<polygon_segments>(out, sides);
             const IndexedPolygon fan = ask<polygon_fan>(out, sides);
-            return Amount().in_order(flat(loop)).in_order(flat(segments)).in_order(flat(fan.positions));
+            return Amount().in_order(loop).in_order(segments).in_order(fan.positions);
         });
 }
 
