@@ -59,7 +59,7 @@ public:
         if (elsewhere.wrong.empty()) elsewhere = among(others, cases, built);
         add(fresh, elsewhere);
         return *std::ranges::min_element(
-            found, {}, [&](const PartingPlace& one) { return error_of(place_among(one, elsewhere)); });
+            found, {}, [&](const PartingPlace& one) { return strays_of(place_among(one, elsewhere)); });
     }
 
 private:

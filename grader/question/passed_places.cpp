@@ -47,11 +47,11 @@ bool parts(const PartingPlace& place)
     return wrong == all_wrong && strays <= most_strays * all_right && strays <= most_strays_per_wrong * all_wrong;
 }
 
-double error_of(const PartingPlace& place)
+std::pair<double, double> strays_of(const PartingPlace& place)
 {
     const auto share = [](double some, std::size_t all) { return all == 0 ? 0.0 : some / static_cast<double>(all); };
     const auto [wrong, strays] = sides_of(place);
-    return share(static_cast<double>(place.wrong) - wrong, place.wrong) + share(strays, place.right);
+    return {share(static_cast<double>(place.wrong) - wrong, place.wrong), share(strays, place.right)};
 }
 
 std::vector<PartingPlace> parting_places(const PassedPlaces& seen)
@@ -67,8 +67,8 @@ std::vector<PartingPlace> parting_places(const PassedPlaces& seen)
     std::vector<PartingPlace> best;
     const auto offer = [&](PartingPlace place) {
         if (!parts(place)) return;
-        if (!best.empty() && error_of(place) < error_of(best.front())) best.clear();
-        if (best.empty() || error_of(place) == error_of(best.front())) best.push_back(place);
+        if (!best.empty() && strays_of(place) < strays_of(best.front())) best.clear();
+        if (best.empty() || strays_of(place) == strays_of(best.front())) best.push_back(place);
     };
     // In the order in which the questions of that kind reach them.
     for (const bool of_wrong : {true, false}) {

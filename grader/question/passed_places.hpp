@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace umbral::grader {
@@ -37,7 +38,8 @@ inline constexpr std::size_t least_parted_questions = 3;
 /// Does it part them so well?
 [[nodiscard]] bool parts(const PartingPlace& place);
 
-/// How many are on the wrong side: the shares of wrong and of right ones added up.
-[[nodiscard]] double error_of(const PartingPlace& place);
+/// How well a place tells where a mistake is, least first: the share of wrong ones that are not on their side, for no
+/// mistake does harm where it is not run; then that of right ones on it, to which it need not make a difference.
+[[nodiscard]] std::pair<double, double> strays_of(const PartingPlace& place);
 
 }

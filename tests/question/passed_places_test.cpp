@@ -87,10 +87,12 @@ TEST(PassedPlaces, others_tell_whether_it_holds)
     add(others, 10, false, {1});
     add(others, 3, true, {1, 4});
     EXPECT_TRUE(parts(place_among(found, others)));
-    EXPECT_EQ(error_of(place_among(found, others)), 0);
+    EXPECT_EQ(strays_of(place_among(found, others)), (std::pair<double, double>(0, 0)));
     add(others, 3, true, {1});
     EXPECT_FALSE(parts(place_among(found, others)));
-    EXPECT_EQ(error_of(place_among(found, others)), 0.5);
+    EXPECT_EQ(strays_of(place_among(found, others)), (std::pair<double, double>(0.5, 0)));
+    add(others, 10, false, {1, 4});
+    EXPECT_EQ(strays_of(place_among(found, others)), (std::pair<double, double>(0.5, 0.5)));
 }
 
 }

@@ -14,7 +14,7 @@ namespace {
 
 using namespace meshes;
 
-constexpr const char* names_of_faults = "0 mesh\n1 crowded edge\n2 lonely vertex\n3 torn vertex\n";
+constexpr const char* names_of_faults = "0 mesh with faults\n1 crowded edge\n2 lonely vertex\n3 torn vertex\n";
 
 /// Of a triangle; the first row of a mesh is the number of its triangles.
 constexpr const char* corner_names = "first index, second index, third index";
