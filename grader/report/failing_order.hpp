@@ -10,13 +10,14 @@
 namespace umbral::grader {
 
 /// How much there is to read of what was asked, from 0 on: a call of one line, of a few, a page; equal lengths are
-/// nobody's concern. A page if it is not known, or if its lists and calls had to be shortened ("… 297 more").
+/// nobody's concern. More than a page if its lists and calls had to be shortened ("… 297 more"), or if it is not known.
 [[nodiscard]] inline int length_of_question(const CheckResult& check)
 {
     constexpr std::array<std::size_t, 3> lengths{100, 250, 600};
     const bool known = check.first_difference && !check.first_difference->question.empty();
     const bool whole = known && check.first_difference->question.find("… ") == std::string::npos;
-    const std::size_t size = whole ? check.first_difference->question.size() : lengths.back() + 1;
+    if (!whole) return static_cast<int>(lengths.size()) + 1;
+    const std::size_t size = check.first_difference->question.size();
     return static_cast<int>(std::ranges::lower_bound(lengths, size) - lengths.begin());
 }
 

@@ -86,5 +86,15 @@ TEST(FailingOrder, what_was_not_judged_is_not_called_wrong_and_waits_for_what_wa
     EXPECT_TRUE(has(report(), "check     dot/x  not run, 0 of 1 points"));
 }
 
+TEST(FailingOrder, a_question_that_can_be_read_whole_comes_before_one_that_was_shortened)
+{
+    CheckResult shortened = check_result("odd/index", 500, 1000);
+    shortened.first_difference = Difference{"row 4", "1", "2", 4, "first_hit(std::vector<float>{1, 2, 3, … 297 more})"};
+    CheckResult whole = check_result("few/index", 950, 1000);
+    whole.first_difference = Difference{"row 4", "1", "2", 4, "first_hit(" + std::string(700, '1') + ")"};
+    const UnitResult unit = unit_result("a/b", Verdict::partial, {shortened, whole});
+    EXPECT_TRUE(has(terminal_report(submission_result("ana", {unit}), {}), "check     few/index"));
+}
+
 }
 }
