@@ -91,24 +91,20 @@ std::string number_of_rows(std::size_t rows)
 }
 
 /// What is wrong in the rows of one question.
-std::optional<WrongGroup> wrong_group(const Check& check, std::uint32_t question, const RowsOfQuestion& rows,
-                                      const Tensor& yours, const Tensor& expected, const Expected& all,
-                                      const Tensor* margin)
+WrongGroup wrong_group(const Check& check, std::uint32_t question, const RowsOfQuestion& rows, const Tensor& yours,
+                       const Tensor& expected, const Expected& all, const Tensor* margin)
 {
     if (!judge_of(check).free_rows && yours.rows != expected.rows)
-        return WrongGroup{question, {"this call", number_of_rows(yours.rows), number_of_rows(expected.rows)}};
+        return {question, Difference{"this call", number_of_rows(yours.rows), number_of_rows(expected.rows)}};
     const Judgement judgement = judge(check, yours, expected, margin, all.names);
-    if (!judgement.first_difference) return std::nullopt;
-    WrongGroup group{question, *judgement.first_difference};
-    group.first.others.clear();
-    std::string where = "one call";
-    if (group.first.cell && *group.first.cell < rows.expected.size()) {
-        group.first.cell = rows.expected[*group.first.cell];
-        where = fmt::format("row {}", *group.first.cell);
-    } else {
-        group.first.cell.reset();
-    }
-    group.first.where = where == "one call" ? "this call" : fmt::format("{} of {}", where, all.value->rows);
+    if (!judgement.first_difference) return {question};
+    Difference first = *judgement.first_difference;
+    first.others.clear();
+    const bool is_expected = first.cell && *first.cell < rows.expected.size();
+    first.cell = is_expected ? std::optional(rows.expected[*first.cell]) : std::nullopt;
+    const std::string where = is_expected ? fmt::format("row {}", *first.cell) : "one call";
+    first.where = is_expected ? fmt::format("{} of {}", where, all.value->rows) : "this call";
+    WrongGroup group{question, std::move(first)};
     const std::size_t begin = judgement.message.find(": ");
     const std::size_t counts = judgement.message.rfind(" (");
     if (begin != std::string::npos && counts != std::string::npos && begin < counts)

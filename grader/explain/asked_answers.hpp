@@ -38,7 +38,7 @@ struct AskedAnswer {
 /// The first question of which all rows together are wrong.
 struct WrongGroup {
     std::uint32_t question = 0;
-    Difference first;     ///< within its rows; the cell is one of the whole table
+    std::optional<Difference> first{};  ///< within its rows; the cell is one of the whole table
     std::string words{};  ///< "row 12: expected crowded edge (5, 6), nothing came"; empty if the check's own say more
 };
 

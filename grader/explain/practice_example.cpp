@@ -56,15 +56,17 @@ std::optional<PracticeExample> practice_example(Worker& worker, const AskedCheck
     const auto wrong = first_wrong(worker, asked.exercise, check, most_tried, run);
     if (!wrong) return std::nullopt;
     const std::uint64_t seed = wrong->one.seed;
-    if (auto group = first_wrong_group(worker, asked, seed)) {
-        group->first.question =
+    const std::optional<Difference>& first = wrong->found.first_difference;
+    if (const auto group = first_wrong_group(worker, asked, seed); group && (group->first || (first && !first->cell))) {
+        PracticeExample example{group->first ? *group->first : *first, seed};
+        example.first.question =
             together({group->question, 1}, worker.code_of(asked.exercise, check.case_name, seed, {group->question}));
-        return PracticeExample{std::move(group->first), seed};
+        return example;
     }
-    if (!wrong->found.first_difference) return std::nullopt;
+    if (!first) return std::nullopt;
     const RunOutcome& expected = worker.trusted(asked.exercise, judged_against(check), check.case_name, seed);
     const Tensor* const table = expected_of(check, expected).value;
-    PracticeExample example{*wrong->found.first_difference, seed};
+    PracticeExample example{*first, seed};
     if (table != nullptr) example.first.question = code_behind(worker, asked, example.first, table->cells(), seed);
     return example;
 }

@@ -96,8 +96,9 @@ public:
             const std::size_t counts = result.message.rfind(" (");
             if (!group->words.empty() && judge_of(check).free_rows && counts != std::string::npos)
                 result.message = group->words + result.message.substr(counts);
-            result.first_difference = std::move(group->first);
-            shown_.push_back({{group->question, 1}, &result.first_difference->question});
+            const bool is_better = group->first || (result.first_difference && !result.first_difference->cell);
+            if (group->first) result.first_difference = std::move(group->first);
+            if (is_better) shown_.push_back({{group->question, 1}, &result.first_difference->question});
         }
         if (one_.hidden)
             if (auto example = practice_example(worker_, asked)) {

@@ -41,12 +41,13 @@ TEST_F(CodePlaces, name_the_branch_with_the_bug)
 
 TEST_F(CodePlaces, are_not_told_where_wrong_answers_come_the_way_of_right_ones)
 {
-    EXPECT_TRUE(of(first_root, "if (ray.t_min < t && t < ray.t_max) return t + static_cast<float>(t > 10);").empty());
+    EXPECT_TRUE(of(first_root, "if (ray.t_min < t && t < ray.t_max) return t + std::floor(t / 10);").empty());
 }
 
 TEST_F(CodePlaces, name_the_lines_of_a_loop_that_does_not_end)
 {
-    const std::string loop = "volatile float s = t;\n        while (s > -1) {\n            s = s + 1;\n        }\n";
+    const std::string loop =
+        "{\n        volatile float s = t;\n        while (s > -1) {\n            s = s + 1;\n        }\n }";
     const UnitResult result = grade(first_root, loop, {});
     EXPECT_NE(result.message.find(": one call runs lines "), std::string::npos) << result.message;
     EXPECT_NE(result.message.find(" of sphere.cpp again and again\n"), std::string::npos) << result.message;
@@ -57,10 +58,13 @@ TEST_F(CodePlaces, name_the_lines_of_a_loop_that_does_not_end)
 TEST_F(CodePlaces, are_only_told_of_files_that_were_handed_in)
 {
     for (const char* const line : {"#line 3 \"/etc/passwd\"", "#line 90000 \"sphere.cpp\"", "#line 3 \"other.cpp\""})
-        EXPECT_TRUE(of(first_root, "if (ray.t_min < t && t < ray.t_max) {\n            if (t > 10)\n" +
-                                       std::string(line) + "\n                return t + 1;\n return t; }")
-                        .empty())
-            << line;
+        for (const CodePlace& place :
+             of(first_root, "if (ray.t_min < t && t < ray.t_max) {\n            if (t > 10)\n" + std::string(line) +
+                                "\n                return t + 1;\n return t; }")) {
+            EXPECT_EQ(place.file, "sphere.cpp") << line;
+            EXPECT_EQ(place.text.find("root:"), std::string::npos) << line;
+            EXPECT_LT(place.line, 100) << line;
+        }
 }
 
 }

@@ -250,7 +250,7 @@ TEST(Numbers, codes_are_told_with_the_words_of_their_column)
     const auto pair =
         judge(check_of(JudgeKind{"numbers"}, ulps(0)), floats({1, 2}, 2), floats({0, 2}, 2), nullptr, &plain);
     EXPECT_EQ(pair.first_difference->where, "row 0, texels (first row: levels)");
-    EXPECT_EQ(pair.first_difference->yours, "(1, 2)");
+    EXPECT_EQ(pair.first_difference->yours, "texels (first row: levels) 1, rest 2");
 }
 
 TEST(Numbers, the_message_names_the_worst_row)
