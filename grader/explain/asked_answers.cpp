@@ -96,6 +96,8 @@ WrongGroup wrong_group(const Check& check, std::uint32_t question, const RowsOfQ
 {
     if (!judge_of(check).free_rows && yours.rows != expected.rows)
         return {question, Difference{"this call", number_of_rows(yours.rows), number_of_rows(expected.rows)}};
+    // Judges compare with something.
+    if (expected.rows == 0) return {question};
     const Judgement judgement = judge(check, yours, expected, margin, all.names);
     if (!judgement.first_difference) return {question};
     Difference first = *judgement.first_difference;

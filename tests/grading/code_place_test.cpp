@@ -39,11 +39,6 @@ TEST_F(CodePlaces, name_the_branch_with_the_bug)
     EXPECT_NE(places[0].sentence.find("come through here, and none of the"), std::string::npos) << places[0].sentence;
 }
 
-TEST_F(CodePlaces, are_not_told_where_wrong_answers_come_the_way_of_right_ones)
-{
-    EXPECT_TRUE(of(first_root, "if (ray.t_min < t && t < ray.t_max) return t + std::floor(t / 10);").empty());
-}
-
 TEST_F(CodePlaces, name_the_lines_of_a_loop_that_does_not_end)
 {
     const std::string loop =
