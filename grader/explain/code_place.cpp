@@ -8,10 +8,10 @@
 #include "build/traced.hpp"
 #include "explain/asked_alone.hpp"
 #include "explain/asked_answers.hpp"
+#include "explain/explained_checks.hpp"
 #include "explain/other_cases.hpp"
 #include "explain/samples.hpp"
 #include "explain/traced_runs.hpp"
-#include "judge/explain/thresholds.hpp"
 #include "judge/judges.hpp"
 #include "model/caps.hpp"
 #include "question/passed_places.hpp"
@@ -182,10 +182,7 @@ std::vector<std::size_t> failing_checks(Worker& worker, const Exercise& exercise
 void add_code_place(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases,
                     UnitResult& result)
 {
-    const bool has_reason = std::ranges::any_of(result.explanations, [](const Explanation& one) {
-        return !one.hidden && one.fit == 1 && one.confidence >= thresholds::very_sure;
-    });
-    if (has_reason) return;
+    if (std::ranges::any_of(result.explanations, explains_all)) return;
     const std::vector<std::size_t> checks = failing_checks(worker, exercise, cases, result);
     if (checks.empty()) return;
     const std::optional<Built> traced = build_traced(worker.tools(), exercise, built);

@@ -68,11 +68,15 @@ Resemblance says_of(const FailingCheck& one, const CaseResult& yours, const RunO
     return one.student == nullptr ? not_alike : resemblance(one, *tensor);
 }
 
+bool explains_all(const Explanation& one)
+{
+    return !one.hidden && one.fit == 1 && one.confidence >= thresholds::very_sure;
+}
+
 bool is_explained(const UnitResult& result)
 {
     return std::ranges::any_of(result.explanations, [](const Explanation& one) {
-        return one.name.starts_with("mistake: ") && !one.hidden && one.fit == 1 &&
-               one.confidence >= thresholds::very_sure;
+        return one.name.starts_with("mistake: ") && explains_all(one);
     });
 }
 

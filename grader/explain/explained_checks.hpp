@@ -30,6 +30,9 @@ struct CaseChecks {
 /// against.
 [[nodiscard]] Resemblance says_of(const FailingCheck& one, const CaseResult& yours, const RunOutcome& its);
 
+/// Does a reason that students may know explain all, very likely?
+[[nodiscard]] bool explains_all(const Explanation& one);
+
 /// Does a known mistake explain all that students see? Its hint says more than can be found out.
 [[nodiscard]] bool is_explained(const UnitResult& result);
 
