@@ -7,9 +7,8 @@
 #include <set>
 #include <umbral/record/block_trace.hpp>
 
-#include "build/inspection.hpp"
 #include "build/traced.hpp"
-#include "judge/rows/tensor_view.hpp"
+#include "explain/traced_runs.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -17,16 +16,6 @@ namespace {
 constexpr std::size_t most_blocks = 1024;  ///< of a loop; of larger ones it says nothing where they are
 constexpr std::size_t most_ranges = 3;
 constexpr int largest_gap = 3;  ///< lines without code of their own, within a loop
-
-/// The blocks at the end of a run that was ended in one call; empty if none was.
-std::vector<std::uint32_t> loop_in(const RunOutcome& run)
-{
-    const Tensor* const tensor = tensor_of(run, std::string(blocks_of_loop));
-    if (tensor == nullptr || !well_formed(*tensor) || tensor->element != Element::uint32) return {};
-    std::vector<std::uint32_t> blocks;
-    for (const double number : to_doubles(*tensor)) blocks.push_back(static_cast<std::uint32_t>(number));
-    return blocks.size() > most_blocks ? std::vector<std::uint32_t>() : blocks;
-}
 
 /// "line 4", "lines 6 to 9 and 20".
 std::string lines_in_words(const std::set<int>& lines)
@@ -59,12 +48,11 @@ std::string loop_place(Worker& worker, const Exercise& exercise, const Built& bu
     const std::optional<Built> traced = build_traced(worker.tools(), exercise, built);
     if (!traced) return "";
     const RunOutcome run = worker.run_traced(exercise, *traced, stopped->first, stopped->second.seed);
-    const std::vector<std::uint32_t> blocks = run.verdict == Verdict::ok ? loop_in(run) : std::vector<std::uint32_t>();
-    if (blocks.empty()) return "";
-    Toolchain tools = worker.tools();
-    tools.budget = traced->budget;
+    if (run.verdict != Verdict::ok) return "";
+    const std::vector<std::uint32_t> blocks = traced_numbers(run, blocks_of_loop, 1);
+    if (blocks.empty() || blocks.size() > most_blocks) return "";
     std::map<std::string, std::set<int>> lines;
-    for (const auto& place : places_of(tools, traced->library, blocks))
+    for (const auto& place : places_in(worker, *traced, blocks))
         if (place && place->line > 0 && traced->files.contains(place->file)) lines[place->file].insert(place->line);
     if (lines.empty()) return "";
     const auto& [file, numbers] =

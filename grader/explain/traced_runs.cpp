@@ -13,20 +13,33 @@ namespace {
 
 using Blocks = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// Questions and blocks; empty where a recording holds none, or what no run of ours writes.
 Blocks blocks_in(const RunOutcome& run)
 {
-    const Tensor* const tensor = tensor_of(run, std::string(blocks_of_questions));
-    if (tensor == nullptr || !well_formed(*tensor) || tensor->element != Element::uint32 || tensor->components != 2 ||
-        tensor->columns != 1)
-        return {};
+    const std::vector<std::uint32_t> numbers = traced_numbers(run, blocks_of_questions, 2);
     Blocks blocks;
-    const std::vector<double> numbers = to_doubles(*tensor);
-    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
-        blocks.emplace_back(static_cast<std::uint32_t>(numbers[i]), static_cast<std::uint32_t>(numbers[i + 1]));
+    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) blocks.emplace_back(numbers[i], numbers[i + 1]);
     return blocks;
 }
 
+}
+
+std::vector<std::uint32_t> traced_numbers(const RunOutcome& run, std::string_view name, std::uint32_t components)
+{
+    const Tensor* const tensor = tensor_of(run, std::string(name));
+    if (tensor == nullptr || !well_formed(*tensor) || tensor->element != Element::uint32 ||
+        tensor->components != components || tensor->columns != 1)
+        return {};
+    std::vector<std::uint32_t> numbers;
+    for (const double number : to_doubles(*tensor)) numbers.push_back(static_cast<std::uint32_t>(number));
+    return numbers;
+}
+
+std::vector<std::optional<SourcePlace>> places_in(const Worker& worker, const Built& traced,
+                                                  std::span<const std::uint32_t> blocks)
+{
+    Toolchain tools = worker.tools();
+    tools.budget = traced.budget;
+    return places_of(tools, traced.library, blocks);
 }
 
 const PlacesOfQuestions* TracedRuns::places(const Check& check, std::uint64_t seed, const RunOutcome& plain)
@@ -66,9 +79,7 @@ PlacesOfQuestions TracedRuns::placed(const Blocks& blocks)
 void TracedRuns::look_up(const std::vector<std::uint32_t>& blocks)
 {
     if (blocks.empty()) return;
-    Toolchain tools = worker_.tools();
-    tools.budget = traced_.budget;
-    const auto found = places_of(tools, traced_.library, blocks);
+    const auto found = places_in(worker_, traced_, blocks);
     if (found.empty()) is_readable_ = false;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         std::optional<std::uint32_t>& number = numbers_[blocks[i]];

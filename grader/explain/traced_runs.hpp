@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,15 @@ namespace umbral::grader {
 
 /// For each question the places that it came through, by number, in the order in which it first did.
 using PlacesOfQuestions = std::map<std::uint32_t, std::vector<std::uint32_t>>;
+
+/// What a traced run took down under this name (umbral/record/block_trace.hpp), row by row; empty where its recording
+/// holds none, or what no run of ours writes.
+[[nodiscard]] std::vector<std::uint32_t> traced_numbers(const RunOutcome& run, std::string_view name,
+                                                        std::uint32_t components);
+
+/// places_of() for blocks of a traced build, within its budget.
+[[nodiscard]] std::vector<std::optional<SourcePlace>> places_in(const Worker& worker, const Built& traced,
+                                                                std::span<const std::uint32_t> blocks);
 
 /// Runs of what was built to be traced (build/traced.hpp), and the places in the student's files behind their blocks.
 /// Each run is made once.
