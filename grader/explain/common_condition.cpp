@@ -241,7 +241,8 @@ InCommon find_in_common(Worker& worker, const AskedCheck& asked, SpareTime& time
 AnswerPattern sentence_of(const InCommon& common)
 {
     AnswerPattern answer = common.answer;
-    if (!answer.words.empty()) answer.words.insert(0, "every wrong answer ");
+    if (!answer.words.empty())
+        answer.words.insert(0, answer.tells == CommonTells::mostly ? "most wrong answers " : "every wrong answer ");
     if (!common.condition) return answer;
     const Condition& condition = common.condition->condition;
     if (is_presence(condition)) {

@@ -10,6 +10,7 @@ constexpr std::array tells_names{
     EnumNames<CommonTells>{CommonTells::constant, "constant", ""},
     EnumNames<CommonTells>{CommonTells::place, "place", ""},
     EnumNames<CommonTells>{CommonTells::nearly, "nearly", ""},
+    EnumNames<CommonTells>{CommonTells::mostly, "mostly", ""},
     EnumNames<CommonTells>{CommonTells::side, "side", ""},
     EnumNames<CommonTells>{CommonTells::multiple, "multiple", ""},
     EnumNames<CommonTells>{CommonTells::opposite, "opposite", ""},

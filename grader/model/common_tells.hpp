@@ -11,6 +11,7 @@ enum class CommonTells : std::uint8_t {
     constant,  ///< that they are all the same
     place,     ///< only which of their numbers are wrong
     nearly,    ///< that they are nearly right
+    mostly,    ///< that most of them are nearly right
     side,      ///< on which side of the right ones they lie
     multiple,  ///< how many times the right ones they are, a number that has no name
     opposite,  ///< that they are the right ones with the opposite sign
@@ -19,7 +20,8 @@ enum class CommonTells : std::uint8_t {
 /// Where the wrong answers lie, and not what they are: said only where nothing else is known.
 [[nodiscard]] constexpr bool is_vague(CommonTells tells)
 {
-    return tells == CommonTells::place || tells == CommonTells::nearly || tells == CommonTells::side;
+    return tells == CommonTells::place || tells == CommonTells::nearly || tells == CommonTells::mostly ||
+           tells == CommonTells::side;
 }
 
 /// The name in JSON: "side". `other` has none there: the member is left out.

@@ -9,7 +9,7 @@ namespace umbral::grader {
 
 /// Something that all wrong answers share, in words that hold for answers to other questions too.
 struct AnswerPattern {
-    std::string words;
+    std::string words;  ///< they follow "every wrong answer", or "most wrong answers" of CommonTells::mostly
     CommonTells tells = CommonTells::other;
 
     friend bool operator==(const AnswerPattern&, const AnswerPattern&) = default;

@@ -162,6 +162,13 @@ void add_change_of_all(const AnswerTable& table, const Pairs& wrong, const std::
     if (!place.empty()) found.push_back({fmt::format("{}, where each number is {}", place, change->words)});
 }
 
+/// Other inputs of the same kind may be those where all are nearly right.
+void add_mostly_nearly_right(const AnswerTable& table, const Pairs& wrong, std::vector<AnswerPattern>& found)
+{
+    if (!table.picture && are_mostly_nearly_right(table, wrong))
+        found.push_back({mostly_nearly_right, CommonTells::mostly});
+}
+
 /// On which side of the right numbers all wrong ones lie.
 void add_side(const AnswerTable& table, const Pairs& wrong, const std::vector<std::size_t>& which,
               const std::string& place, std::vector<AnswerPattern>& found)
@@ -217,6 +224,7 @@ void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<An
     if (are_nearly_right(table, wrong))
         found.push_back(
             {place.empty() ? nearly_right : fmt::format("{}, and {}", place, nearly_right), CommonTells::nearly});
+    add_mostly_nearly_right(table, wrong, found);
     add_side(table, wrong, which, place, found);
     if (!place.empty()) found.push_back({place, CommonTells::place});
 }
@@ -246,6 +254,8 @@ std::vector<AnswerPattern> answer_patterns(const AnswerTable& table)
         // An argument may be the right answer to the question before: that explains more simply.
         const auto vague = std::ranges::find_if(found, [](const AnswerPattern& one) { return is_vague(one.tells); });
         if (are_of_questions_before(table, wrong)) found.insert(vague, {"is the right one to the question before"});
+    } else {
+        add_mostly_nearly_right(table, wrong, found);
     }
     return found;
 }

@@ -11,9 +11,17 @@ inline constexpr const char* nearly_right =
     "is nearly right: perhaps a number is rounded on the way (float, a constant of few digits), nearly equal ones are "
     "subtracted, or a little is added";
 
+/// What is said where most wrong answers are so and some are far off, in words that follow "most wrong answers".
+inline constexpr const char* mostly_nearly_right =
+    "are nearly right and some are far off: as where nearly equal numbers are subtracted, what is nearly 0 is divided "
+    "by, or float is used on the way";
+
 /// Are all these wrong answers the right ones but for little: a hundredth of the largest number of the vector, or of
 /// the matrix's column, and of each number itself in rows that hold different things? Of codes and counts, which are
 /// whole, none is nearly right. Answers must have as many numbers as the right ones, all finite.
 [[nodiscard]] bool are_nearly_right(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong);
+
+/// Are so at least two of three of them, eight or more? The others may be anything.
+[[nodiscard]] bool are_mostly_nearly_right(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong);
 
 }

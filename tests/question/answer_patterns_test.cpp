@@ -88,6 +88,25 @@ TEST(AnswerPatterns, say_of_small_errors_that_digits_are_lost)
     EXPECT_EQ(first_pattern(counts), "");
 }
 
+// Where differences cancel, some answers lose all digits, and some are no numbers.
+TEST(AnswerPatterns, say_that_most_of_them_are_nearly_right)
+{
+    const auto cancelled = [](int far, double yours) {
+        AnswerTable made{1, 0, {}, {}, {}};
+        for (int i = 0; i < 24; ++i) {
+            const double right = 1.5 + 0.37 * i;
+            made.answers.push_back(
+                {{i % 24 < far ? yours * (i + 2.0) : right * (1 + 1e-3 * std::sin(i + 1.0))}, {right}, true});
+        }
+        return made;
+    };
+    const AnswerPattern mostly{mostly_nearly_right, CommonTells::mostly};
+    EXPECT_EQ(answer_patterns(cancelled(5, -0.7)).front(), mostly);
+    EXPECT_EQ(answer_patterns(cancelled(5, std::numeric_limits<double>::quiet_NaN())).front(), mostly);
+    EXPECT_NE(std::ranges::count(answer_patterns(cancelled(0, 0)), mostly), 0) << "other inputs may all be near";
+    EXPECT_EQ(std::ranges::count(answer_patterns(cancelled(12, -0.7)), mostly), 0);
+}
+
 TEST(AnswerPatterns, do_not_say_that_all_differs_but_what_a_row_is_about)
 {
     // Corners: polygon, -, corner, x, y, z.
