@@ -110,7 +110,6 @@ Answer answer_in(const RunOutcome& run)
 std::string not_askable(const Exercise& exercise)
 {
     if (!exercise.is_cpp()) return "its shaders are drawn with, and not called";
-    if (exercise.glfw) return "its functions answer events, and a question alone has none";
     // Nor may the reference's shaders be asked for, which some of these functions return.
     if (exercise.gl_calls) return "its functions draw, and a question alone has nothing to draw on";
     return "";
@@ -121,6 +120,7 @@ namespace {
 /// What a question alone has not, of a unit of which some functions need it.
 std::string missing_beside(const Exercise& exercise)
 {
+    if (exercise.glfw) return "this function answers events, and a question alone has none\n";
     if (exercise.gl) return "this function draws, and a question alone has nothing to draw on\n";
     if (!exercise.uses.empty()) return "this function calls other units, which only the unit's own cases bring along\n";
     return "";

@@ -93,7 +93,7 @@ TEST_F(AskQuestion, is_for_functions_that_need_nothing_else)
 {
     EXPECT_EQ(not_askable(sphere), "");
     // One of its functions returns a shader: the reference's is no answer to show.
-    for (const char* const unit : {"lighting/shaders", "interaction/callbacks", "texturing/generation"})
+    for (const char* const unit : {"lighting/shaders", "texturing/generation"})
         EXPECT_NE(not_askable(bench.exercise(unit)), "") << unit;
 }
 
@@ -106,6 +106,21 @@ TEST_F(AskQuestion, is_for_functions_of_units_with_pictures)
     const AskedQuestion asked = ask_question(worker, frustum, built, "fit_sphere(1, 4, PictureSize{200, 100})");
     EXPECT_TRUE(asked.reference.given) << asked.refused << asked.reference.text;
     EXPECT_TRUE(asked.yours.given) << asked.yours.text;
+}
+
+// Nor does every function of a unit with a window look at one.
+TEST_F(AskQuestion, is_for_functions_of_units_with_windows)
+{
+    const Exercise region = bench.exercise("pipeline/visible-region");
+    ASSERT_TRUE(region.glfw);
+    const Built built = build(bench.tools(), region, reference_sources(bench.tools().reference, region));
+    const AskedQuestion asked = ask_question(worker, region, built, "ndc_of(Box{{0, 0, 0}, {4, 2, 1}}, {1, 1, 0})");
+    EXPECT_TRUE(asked.reference.given) << asked.refused << asked.reference.text;
+    EXPECT_EQ(asked.yours.text, asked.reference.text);
+    const Exercise callbacks = bench.exercise("interaction/callbacks");
+    const Built answering = build(bench.tools(), callbacks, reference_sources(bench.tools().reference, callbacks));
+    const AskedQuestion refused = ask_question(worker, callbacks, answering, "(install_callbacks(nullptr), 1)");
+    EXPECT_NE(refused.refused.find("answers events"), std::string::npos) << refused.refused << refused.reference.text;
 }
 
 // Of such a unit, a question that gets no answer from the reference draws, as a rule; a loop does not.
