@@ -162,23 +162,36 @@ void record_any_order(Recorder& out, Random& random)
     }
 }
 
-/// The window's key callback, called as GLFW would for keys and locks that a script cannot press.
+/// The key callbacks of two windows, of which one had another before, called as GLFW would for keys and locks that a
+/// script cannot press.
 void record_any_key(Recorder& out, Random& random)
 {
-    out.text("commands.names", command_names(false));
+    out.text("commands.names", command_names(true));
     const input::Headless session({});
     glfwInit();
-    GLFWwindow* const window = make_window(square);
-    LoggedWindow logged(window, true);
-    const GLFWkeyfun on_key = key_callback_of(window);
-    std::size_t next = logged.rows().size();
+    struct Keyboard {
+        GLFWwindow* window;
+        LoggedWindow logged;
+        GLFWkeyfun on_key = key_callback_of(window);
+        std::size_t rows = logged.rows().size();
+
+        Keyboard(GLFWwindow* made, bool listens) : window(made), logged(made, listens) {}
+    };
+    Keyboard first(make_window(square), true);
+    Keyboard second(make_window(square), false);
     for (int i = 0; i < 60; ++i) {
         const AnyKey event = any_key(random);
-        ask_in_words(out,
-                     [&] { return "install_callbacks(window); // on_key: the key callback then\n" + told(event); });
-        if (on_key != nullptr) on_key(window, event.key, event.scancode, event.action, event.mods);
-        logged.look();
-        next = append_commands(out, logged.rows(), next, logged.rows().size());
+        Keyboard& asked = i % 4 == 3 ? second : first;
+        ask_in_words(out, [&] {
+            return "// on_key: the key callback of this window then\ninstall_callbacks(window); // " +
+                   std::string(&asked == &first ? "the first one, with a key callback already"
+                                                : "the second one, without a key callback") +
+                   '\n' + told(event);
+        });
+        if (asked.on_key != nullptr) asked.on_key(asked.window, event.key, event.scancode, event.action, event.mods);
+        asked.logged.look();
+        asked.rows =
+            append_commands(out, asked.logged.rows(), asked.rows, asked.logged.rows().size(), &asked == &first ? 1 : 2);
     }
 }
 
