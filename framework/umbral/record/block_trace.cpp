@@ -1,24 +1,16 @@
 #include "umbral/record/block_trace.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 #include "umbral/record/cost.hpp"
+#include "umbral/record/tensor_of.hpp"
 
 namespace umbral {
 namespace {
 
 /// Code of a student's library lies far below that.
 constexpr std::uintptr_t most_places = std::uintptr_t{1} << 22U;
-
-Tensor table(const std::vector<std::uint32_t>& numbers, std::uint32_t columns)
-{
-    Tensor tensor{Element::uint32, static_cast<std::uint32_t>(numbers.size() / columns), 1, columns, {}, {}};
-    tensor.bytes.resize(numbers.size() * sizeof numbers.front());
-    if (!numbers.empty()) std::memcpy(tensor.bytes.data(), numbers.data(), tensor.bytes.size());
-    return tensor;
-}
 
 }
 
@@ -50,8 +42,9 @@ void BlockTrace::pass_too_late(std::uint32_t place)
 
 void BlockTrace::write(std::map<std::string, Tensor, std::less<>>& tensors) const
 {
-    if (rows_.size() <= most_rows * 2) tensors[std::string(blocks_of_questions)] = table(rows_, 2);
-    if (!loop_.empty()) tensors[std::string(blocks_of_loop)] = table({loop_.begin(), loop_.end()}, 1);
+    if (rows_.size() <= most_rows * 2) tensors[std::string(blocks_of_questions)] = tensor_of<std::uint32_t>(rows_, 2);
+    const std::vector<std::uint32_t> loop(loop_.begin(), loop_.end());
+    if (!loop.empty()) tensors[std::string(blocks_of_loop)] = tensor_of<std::uint32_t>(loop);
 }
 
 }

@@ -5,6 +5,8 @@
 #include <umbral/core/not_implemented_count.hpp>
 #include <utility>
 
+#include "umbral/record/tensor_of.hpp"
+
 namespace umbral {
 
 Progress::Progress(std::uint32_t& asked, std::span<char> function, PassedOver passed_over, std::function<void()> end)
@@ -38,12 +40,8 @@ void Progress::add_row(std::string_view value, std::uint32_t row)
 
 void Progress::write(std::map<std::string, Tensor, std::less<>>& tensors) const
 {
-    for (const auto& [value, rows] : lost_) {
-        Tensor tensor{Element::uint32, static_cast<std::uint32_t>(rows.size()), 1, 1, {}, {}};
-        tensor.bytes.resize(rows.size() * sizeof rows.front());
-        std::memcpy(tensor.bytes.data(), rows.data(), tensor.bytes.size());
-        tensors[std::string(rows_without_answer) + value] = std::move(tensor);
-    }
+    for (const auto& [value, rows] : lost_)
+        tensors[std::string(rows_without_answer) + value] = tensor_of<std::uint32_t>(rows);
 }
 
 }

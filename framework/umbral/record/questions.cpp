@@ -1,8 +1,9 @@
 #include "umbral/record/questions.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
+
+#include "umbral/record/tensor_of.hpp"
 
 namespace umbral {
 namespace {
@@ -11,24 +12,6 @@ constexpr std::size_t most_code = std::size_t{4} << 20U;
 constexpr std::size_t most_numbers = std::size_t{1} << 20U;  ///< of features, in one table
 constexpr std::size_t lines_shown = 12;
 constexpr std::size_t longest_name = 64;
-
-Tensor text_tensor(std::string_view text)
-{
-    Tensor tensor{Element::uint8, static_cast<std::uint32_t>(text.size()), 1, 1, {}, {}};
-    tensor.bytes.resize(text.size());
-    if (!text.empty()) std::memcpy(tensor.bytes.data(), text.data(), text.size());
-    return tensor;
-}
-
-template <class Number>
-Tensor table(Element element, std::span<const Number> numbers, std::size_t columns)
-{
-    Tensor tensor{
-        element, static_cast<std::uint32_t>(numbers.size() / columns), 1, static_cast<std::uint32_t>(columns), {}, {}};
-    tensor.bytes.resize(numbers.size_bytes());
-    if (!numbers.empty()) std::memcpy(tensor.bytes.data(), numbers.data(), numbers.size_bytes());
-    return tensor;
-}
 
 }
 
@@ -151,10 +134,10 @@ void Questions::write(std::map<std::string, Tensor, std::less<>>& tensors) const
         if (name.size() <= longest_name) tensors[name] = std::move(tensor);
     };
     for (const auto& [value, rows] : rows_)
-        add(std::string(question_names::rows) + value, table<std::uint32_t>(Element::uint32, rows, 1));
+        add(std::string(question_names::rows) + value, tensor_of<std::uint32_t>(rows, 1));
     for (const auto& [value, span] : wholes_) {
         const std::uint32_t numbers[] = {span.first, span.second};
-        add(std::string(question_names::whole) + value, table<std::uint32_t>(Element::uint32, numbers, 2));
+        add(std::string(question_names::whole) + value, tensor_of<std::uint32_t>(numbers, 2));
     }
     for (const auto& [value, tiles] : tiles_) {
         const auto picture = tensors.find(value);
@@ -164,7 +147,7 @@ void Questions::write(std::map<std::string, Tensor, std::less<>>& tensors) const
             rows.insert(rows.end(), tile.begin(), tile.end());
             rows.push_back(picture->second.columns);
         }
-        add(std::string(question_names::tiles) + value, table<std::uint32_t>(Element::uint32, rows, 7));
+        add(std::string(question_names::tiles) + value, tensor_of<std::uint32_t>(rows, 7));
     }
     std::string functions;
     for (std::size_t i = 0; i < functions_.size(); ++i) {
@@ -172,7 +155,7 @@ void Questions::write(std::map<std::string, Tensor, std::less<>>& tensors) const
         for (const std::string& feature : functions_[i].features) functions += '\t' + feature;
         functions += '\n';
         add(std::string(question_names::features) + std::to_string(i),
-            table<double>(Element::float64, functions_[i].table, functions_[i].features.size() + 1));
+            tensor_of<double>(functions_[i].table, functions_[i].features.size() + 1));
     }
     std::string histories;
     for (const auto& [function, changing] : histories_) {
@@ -180,10 +163,10 @@ void Questions::write(std::map<std::string, Tensor, std::less<>>& tensors) const
         for (const std::string& one : changing) histories += '\t' + one;
         histories += '\n';
     }
-    add(std::string(question_names::histories), text_tensor(histories));
-    add(std::string(question_names::functions), text_tensor(functions));
-    add(std::string(question_names::code), text_tensor(code_));
-    add(std::string(question_names::others), text_tensor(others_));
+    add(std::string(question_names::histories), tensor_of<char>(histories));
+    add(std::string(question_names::functions), tensor_of<char>(functions));
+    add(std::string(question_names::code), tensor_of<char>(code_));
+    add(std::string(question_names::others), tensor_of<char>(others_));
 }
 
 }
