@@ -25,6 +25,7 @@ std::string driver_text(const Exercise& exercise)
     return fmt::format(R"(#include <cstdlib>
 #include <cxxabi.h>
 #include <exception>
+#include <glm/gtc/matrix_transform.hpp>
 #include <memory>
 #include <string>
 #include <typeinfo>

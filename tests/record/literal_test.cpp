@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <glm/glm.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <string>
 #include <umbral/record/literal.hpp>
 #include <vector>
@@ -47,6 +49,32 @@ TEST(Literal, leaves_the_lines_of_a_text_as_they_are)
     EXPECT_EQ(literal::of_text("one\n", {}), "\"one\\n\"") << "a single line";
     EXPECT_EQ(literal::of_text("a)\"\nb", {}), "\"a)\\\"\\nb\"") << "what would end it";
     EXPECT_EQ(literal::of_text("a\x01\nb", {}), "\"a\\001\\nb\"") << "what nobody could read";
+}
+
+/// What the code gives is the matrix, bit by bit: -0 is another number.
+TEST(Literal, writes_simple_matrices_as_calls)
+{
+    const auto code = [](const auto& value) { return literal::of_value(value, true, {}); };
+    const auto is = [](const auto& a, const auto& b) { return std::memcmp(&a, &b, sizeof a) == 0; };
+    EXPECT_EQ(code(glm::mat4(1)), "glm::mat4(1)");
+    EXPECT_EQ(code(glm::mat3(-0.5F)), "glm::mat3(-0.5F)");
+    EXPECT_EQ(code(glm::dmat4(0)), "glm::dmat4(0)");
+    EXPECT_EQ(code(std::vector<glm::mat2>{glm::mat2(1), {1, 2, 3, 4}}),
+              "std::vector<glm::mat2>{glm::mat2(1), {{1, 2}, {3, 4}}}");
+    const glm::mat4 moved = glm::translate(glm::mat4(1), glm::vec3{1, -2.5F, 0});
+    EXPECT_EQ(code(moved), "glm::translate(glm::mat4(1), glm::vec3{1, -2.5F, 0})");
+    const glm::dmat4 scaled = glm::scale(glm::dmat4(1), glm::dvec3{1, 0.1, 3});
+    EXPECT_EQ(code(scaled), "glm::scale(glm::dmat4(1), glm::dvec3{1, 0.1, 3})");
+    glm::mat4 other = moved;
+    other[3][2] = -0.0F;
+    ASSERT_FALSE(is(other, moved));
+    EXPECT_TRUE(code(other).starts_with("glm::mat4{{1, 0,")) << code(other);
+    const glm::mat4 mirrored = glm::scale(glm::mat4(1), glm::vec3{-1, 1, 1});
+    EXPECT_TRUE(code(mirrored).starts_with("glm::mat4{{-1, -0.0F")) << code(mirrored);
+    EXPECT_TRUE(code(moved * glm::mat4(scaled)).starts_with("glm::mat4{{1, 0")) << "both at once";
+    glm::mat4 projective(1);
+    projective[2][3] = 1;
+    EXPECT_TRUE(code(projective).starts_with("glm::mat4{{1, 0")) << code(projective);
 }
 
 TEST(Literal, writes_types_as_people_do)

@@ -36,6 +36,10 @@ inline constexpr Style in_full{unlimited, unlimited, unlimited};
 /// In quotes, with escapes; cut behind style.most_letters. What people write in several lines, a shader say, stands as
 /// it is, R"(…)", cut behind style.most_lines.
 [[nodiscard]] std::string of_text(std::string_view text, const Style& style);
+/// "glm::mat4(1)", "glm::translate(glm::mat4(1), glm::vec3{1, 2, 3})", "glm::scale(…)": a square matrix as the short
+/// call that gives exactly these numbers, column by column; empty if there is none.
+[[nodiscard]] std::string of_simple_matrix(std::span<const float> numbers, std::size_t side, std::string_view type);
+[[nodiscard]] std::string of_simple_matrix(std::span<const double> numbers, std::size_t side, std::string_view type);
 /// "Ray" of "umbral::raytracing::Ray", "glm::vec3" of GLM's long name, "std::vector<glm::vec3>".
 [[nodiscard]] std::string short_type(std::string_view type);
 /// "ray" of "umbral::raytracing::Ray": what a value of this type is called that cannot be written as code.
@@ -144,10 +148,18 @@ std::string struct_in_braces(const Struct& value, const Style& style)
     return text + "}";
 }
 
+/// As a short call if there is one that says as much; else in braces.
 template <class Matrix>
-std::string matrix_in_braces(const Matrix& matrix, const Style& style)
+std::string of_matrix(const Matrix& matrix, bool typed, const Style& style)
 {
-    std::string text = "{";
+    using Number = typename Matrix::value_type;
+    constexpr auto columns = static_cast<std::size_t>(Matrix::length());
+    const std::string type = short_type(reflect::type_name<Matrix>());
+    if constexpr (Matrix::length() == Matrix::col_type::length() && std::is_floating_point_v<Number>) {
+        const std::span<const Number> numbers(&matrix[0][0], columns * columns);
+        if (std::string call = of_simple_matrix(numbers, columns, type); !call.empty()) return call;
+    }
+    std::string text = typed ? type + "{" : "{";
     for (glm::length_t column = 0; column < Matrix::length(); ++column)
         text += (column > 0 ? ", " : "") + of_value(matrix[column], false, style);
     return text + "}";
@@ -180,7 +192,7 @@ std::string of_value(const Value& value, bool typed, const Style& style)
     } else if constexpr (detail::is_vector<Value>) {
         return type() + detail::in_braces(std::span(&value[0], static_cast<std::size_t>(Value::length())), style);
     } else if constexpr (detail::is_matrix<Value>) {
-        return type() + detail::matrix_in_braces(value, style);
+        return detail::of_matrix(value, typed, style);
     } else if constexpr (detail::is_optional<Value>) {
         return value ? of_value(*value, typed, style) : "std::nullopt";
     } else if constexpr (detail::Text<Value>) {
