@@ -139,7 +139,7 @@ inline std::vector<Shine> shines_by_hand(Variation& vary, float exponent)
 }
 
 /// Lights in front of the surface, mostly up to three, and before them now and then one behind it; the eye is where it
-/// sees one of their highlights.
+/// sees one of their highlights. Half of the normals have another length than 1.
 inline Shine random_shine(Random& random)
 {
     Shine shine{
@@ -156,6 +156,7 @@ inline Shine random_shine(Random& random)
         shine.lights.insert(shine.lights.begin(), random_light(random, other_side, 0.1F));
     }
     vary_colors(random, shine.lights);
+    if (random.below(2) == 0) shine.at.normal *= std::exp2(random.uniform(-4, 4));
     return shine;
 }
 

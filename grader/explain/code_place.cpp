@@ -11,6 +11,7 @@
 #include "explain/explained_checks.hpp"
 #include "explain/other_cases.hpp"
 #include "explain/samples.hpp"
+#include "explain/source_line.hpp"
 #include "explain/traced_runs.hpp"
 #include "judge/judges.hpp"
 #include "model/caps.hpp"
@@ -86,6 +87,7 @@ private:
     {
         into.wrong.insert(into.wrong.end(), some.wrong.begin(), some.wrong.end());
         into.places.insert(into.places.end(), some.places.begin(), some.places.end());
+        into.by_exception.insert(into.by_exception.end(), some.by_exception.begin(), some.by_exception.end());
     }
 
     /// The questions with these inputs, of the function that most wrong answers are of.
@@ -111,7 +113,8 @@ private:
             // What runs no code of the student's own has nothing to show.
             if (passed == places->end()) continue;
             into.wrong.push_back(is_wrong);
-            into.places.push_back(passed->second);
+            into.places.push_back(passed->second.places);
+            into.by_exception.push_back(passed->second.by_exception);
         }
     }
 
@@ -141,20 +144,14 @@ std::string sentence_of(const PartingPlace& place)
 std::optional<CodePlace> code_place(const Built& built, const SourcePlace& place, const PartingPlace& parting)
 {
     const auto file = built.files.find(place.file);
-    if (file == built.files.end() || place.line < 1) return std::nullopt;
-    std::string_view rest = file->second;
-    for (int line = 1; line < place.line; ++line) {
-        const std::size_t end = rest.find('\n');
-        if (end == std::string_view::npos) return std::nullopt;
-        rest.remove_prefix(end + 1);
-    }
-    rest = rest.substr(0, rest.find('\n'));
-    while (rest.ends_with('\r')) rest.remove_suffix(1);
-    const std::size_t indent = std::min(rest.find_first_not_of(" \t"), rest.size());
-    std::string text = one_line(rest.substr(indent), most_bytes);
+    if (file == built.files.end()) return std::nullopt;
+    const std::optional<std::string_view> line = source_line(file->second, place.line);
+    if (!line) return std::nullopt;
+    const std::size_t indent = std::min(line->find_first_not_of(" \t"), line->size());
+    std::string text = one_line(line->substr(indent), most_bytes);
     const int column = place.column - static_cast<int>(indent);
     // What is written otherwise than it stands in the file has its columns elsewhere.
-    const bool as_written = text == rest.substr(indent) && column <= static_cast<int>(text.size());
+    const bool as_written = text == line->substr(indent) && column <= static_cast<int>(text.size());
     return CodePlace{place.file, place.line, as_written ? std::max(0, column) : 0, std::move(text),
                      sentence_of(parting)};
 }

@@ -5,6 +5,7 @@
 #include <umbral/record/block_trace.hpp>
 
 #include "explain/same_values.hpp"
+#include "explain/source_line.hpp"
 #include "judge/rows/tensor_view.hpp"
 #include "worker/case_results.hpp"
 
@@ -64,14 +65,19 @@ PlacesOfQuestions TracedRuns::placed(const Blocks& blocks)
     constexpr std::size_t most_at_once = 1024;  // a useful run has some hundred
     std::set<std::uint32_t> fresh;
     for (const auto& [question, block] : blocks)
-        if (!numbers_.contains(block)) fresh.insert(block);
+        if (block != passed_by_exception && !numbers_.contains(block)) fresh.insert(block);
     if (fresh.size() > most_at_once) return {};
     look_up({fresh.begin(), fresh.end()});
     PlacesOfQuestions result;
     for (const auto& [question, block] : blocks) {
-        std::vector<std::uint32_t>& passed = result[question];
+        PassedByOne& passed = result[question];
+        if (block == passed_by_exception) {
+            passed.by_exception = true;
+            continue;
+        }
         const std::optional<std::uint32_t>& number = numbers_[block];
-        if (number && std::ranges::find(passed, *number) == passed.end()) passed.push_back(*number);
+        if (number && std::ranges::find(passed.places, *number) == passed.places.end())
+            passed.places.push_back(*number);
     }
     return result;
 }
@@ -83,7 +89,11 @@ void TracedRuns::look_up(const std::vector<std::uint32_t>& blocks)
     if (found.empty()) is_readable_ = false;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         std::optional<std::uint32_t>& number = numbers_[blocks[i]];
-        if (i >= found.size() || !found[i] || !traced_.files.contains(found[i]->file)) continue;
+        if (i >= found.size() || !found[i]) continue;
+        const auto file = traced_.files.find(found[i]->file);
+        if (file == traced_.files.end()) continue;
+        const auto line = source_line(file->second, found[i]->line);
+        if (!line || !says_what_runs(*line)) continue;
         const auto known = std::ranges::find(places_, *found[i]);
         number = static_cast<std::uint32_t>(known - places_.begin());
         if (known == places_.end()) places_.push_back(*found[i]);

@@ -15,8 +15,13 @@
 
 namespace umbral::grader {
 
-/// For each question the places that it came through, by number, in the order in which it first did.
-using PlacesOfQuestions = std::map<std::uint32_t, std::vector<std::uint32_t>>;
+/// What one question came through.
+struct PassedByOne {
+    std::vector<std::uint32_t> places{};  ///< by number, in the order in which it first did
+    bool by_exception = false;            ///< some of them because an exception passed
+};
+
+using PlacesOfQuestions = std::map<std::uint32_t, PassedByOne>;
 
 /// What a traced run took down under this name (umbral/record/block_trace.hpp), row by row; empty where its recording
 /// holds none, or what no run of ours writes.

@@ -18,6 +18,13 @@ struct Sides {
     double right = 0;
 };
 
+bool is_left_by_exception(const PassedPlaces& seen)
+{
+    for (std::size_t i = 0; i < seen.by_exception.size(); ++i)
+        if (seen.by_exception[i] && seen.wrong[i]) return true;
+    return false;
+}
+
 Sides sides_of(const PartingPlace& place)
 {
     const std::size_t wrong = place.of_wrong ? place.wrong_through : place.wrong - place.wrong_through;
@@ -72,6 +79,7 @@ std::vector<PartingPlace> parting_places(const PassedPlaces& seen)
     };
     // In the order in which the questions of that kind reach them.
     for (const bool of_wrong : {true, false}) {
+        if (!of_wrong && is_left_by_exception(seen)) break;
         std::set<std::uint32_t> offered;
         for (std::size_t i = 0; i < seen.wrong.size(); ++i) {
             if (seen.wrong[i] != of_wrong) continue;

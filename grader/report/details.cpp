@@ -102,14 +102,17 @@ bool repeats_first(const CheckResult& check)
     return yours.size() + expected.size() > short_values && holds(yours) && holds(expected);
 }
 
-/// `told` stands above it: what the check only repeats of it is left out.
-void add_first_failing(Block& block, const CheckResult& check, std::string_view told, const Paint& paint)
+/// `told` stands above it: what the check only repeats of it is left out. Where no reason is known, what the check
+/// looks at may be one.
+void add_first_failing(Block& block, const CheckResult& check, std::string_view told, bool explained,
+                       const Paint& paint)
 {
     const std::string words = words_and_points(check);
     const std::string name = shorten(paint.safe(check.name), block.room() - display_width(words) - 2, paint.ellipsis());
     block.labelled("check", {fmt::format("{}  {}", paint(Tone::strong, name), words)});
     const std::string& message = repeats_first(check) && !check.headline.empty() ? check.headline : check.message;
     if (told.find(message) == std::string_view::npos) block.labelled("", excerpt(message, block.room(), paint));
+    if (!explained && !check.about.empty()) block.sentence("", "Looks at: " + check.about);
     if (check.first_difference) {
         block.sentence("first", check.first_difference->where);
         block.labelled("", side_by_side(*check.first_difference, block.room(), paint));
@@ -254,9 +257,9 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint, 
     const std::string id = shorten(paint.safe(unit.id), width - display_width(words) - 6, paint.ellipsis());
     std::string result =
         fmt::format("\n  {} {}  {}", paint.mark(verdict), paint(Tone::strong, id), paint(tone_of(verdict), words));
-    block.labelled("", excerpt(unit.message, block.room(), paint));
     const bool ran = !never_ran(unit.verdict);
-    if (ran && shown != nullptr) add_first_failing(block, *shown, unit.message, paint);
+    block.labelled(ran ? "note" : "", excerpt(unit.message, block.room(), paint));
+    if (ran && shown != nullptr) add_first_failing(block, *shown, unit.message, !main_reasons(unit).empty(), paint);
     if (shown == nullptr && hidden_fails)
         block.sentence(
             "check",

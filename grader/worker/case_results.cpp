@@ -59,9 +59,14 @@ void add_refusal(const Check& check, const RunOutcome& student, CheckResult& res
     const auto found = refused.find(*result.first_difference->cell);
     if (found == refused.end() || found->second.empty()) return;
     const std::string& why = found->second;
+    const std::string& where = result.first_difference->where;
     result.first_difference->yours = fmt::format("refused: {}", why);
-    for (std::string* const text : {&result.message, &result.headline})
-        if (!text->empty()) *text += fmt::format("; at {} yours refused: {}", result.first_difference->where, why);
+    for (std::string* const text : {&result.message, &result.headline}) {
+        if (text->empty()) continue;
+        const bool says_where = text->find(where) != std::string::npos;
+        *text +=
+            says_where ? fmt::format("; yours refused: {}", why) : fmt::format("; at {} yours refused: {}", where, why);
+    }
 }
 
 Unjudged unjudged_in(const CaseResult& one)

@@ -65,8 +65,8 @@ TEST(Fragments, each_class_is_counted)
     EXPECT_DOUBLE_EQ(found.right, 8.0 / (10 + 1 + 2));
     EXPECT_EQ(found.error, 0.25);
     EXPECT_EQ(found.message,
-              "8 of 10 fragments are right; 1 missing, 1 extra, 2 drawn again, 1 with a wrong value; the first is "
-              "pixel (0, 0) of triangle 3");
+              "8 of 10 fragments are right; 1 missing, 1 extra, 2 drawn again, 1 with a wrong value; the first that "
+              "is missing or too much is pixel (0, 0) of triangle 3");
     ASSERT_TRUE(found.first_difference);
     EXPECT_EQ(found.first_difference->where, "pixel (0, 0) of triangle 3");
     EXPECT_EQ(found.first_difference->yours, "no fragment");

@@ -45,6 +45,18 @@ TEST(PassedPlaces, a_place_that_right_ones_alone_come_through_is_found)
     EXPECT_EQ(numbers(parting_places(seen)), (Places{2}));
 }
 
+TEST(PassedPlaces, what_follows_a_call_that_is_left_by_an_exception_is_none)
+{
+    PassedPlaces seen;
+    add(seen, 20, false, {1, 2, 9});
+    add(seen, 5, true, {1, 9});
+    seen.by_exception.assign(25, false);
+    seen.by_exception[3] = true;
+    EXPECT_EQ(numbers(parting_places(seen)), (Places{2})) << "in a right one it says nothing";
+    seen.by_exception[22] = true;
+    EXPECT_TRUE(parting_places(seen).empty());
+}
+
 TEST(PassedPlaces, what_all_or_some_of_both_come_through_is_none)
 {
     PassedPlaces seen;

@@ -36,6 +36,31 @@ TEST(BlockTrace, takes_down_each_place_once_a_question)
     EXPECT_EQ(written(trace), (Rows{0, 4, 0, 2, 2, 4}));
 }
 
+/// Runs a block when it is left.
+struct AtItsEnd {
+    BlockTrace& trace;
+    AtItsEnd(const AtItsEnd&) = delete;
+    AtItsEnd& operator=(const AtItsEnd&) = delete;
+    ~AtItsEnd() { trace.pass(6); }
+};
+
+TEST(BlockTrace, says_that_an_exception_passed)
+{
+    BlockTrace trace(0, [] {});
+    trace.next_question();
+    {
+        const AtItsEnd left{trace};
+    }
+    trace.next_question();
+    try {
+        const AtItsEnd left{trace};
+        throw 1;
+    } catch (int) {
+        trace.pass(9);
+    }
+    EXPECT_EQ(written(trace), (Rows{0, 6, 1, 6, 1, passed_by_exception, 1, 9}));
+}
+
 TEST(BlockTrace, passes_over_what_lies_outside_of_the_library)
 {
     BlockTrace trace(1U << 30U, [] {});

@@ -39,13 +39,23 @@ void by_hand(Variation& vary, Recorder& out)
     for (const Shine& shine : shines_by_hand(vary, 4)) record(out, shine);
 }
 
+/// One of the lights comes from behind the surface, though its half vector lies in front of it.
+Shine lit_from_behind(Random& random)
+{
+    Shine shine = random_shine(random);
+    const glm::vec3 normal = normalize(shine.at.normal);
+    shine.lights.back().position = glm::vec4(round_about(random, normal, -random.uniform(0.05F, 0.4F)), 0);
+    shine.eye = shine.at.position + random.uniform(1, 6) * round_about(random, normal, 0.95F);
+    return shine;
+}
+
 void at_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
         const glm::vec3 l = random.unit_vector();
         record_half(out, l, round_about(random, l, random.uniform(-0.9F, 1)));
         record(out, random_glance(random, 1, 40));
-        const Shine shine = random_shine(random);
+        const Shine shine = i % 5 == 1 ? lit_from_behind(random) : random_shine(random);
         record(out, shine);
         if (i % 5 != 0) continue;
         for (const Shine& changed : changed_one_by_one(random, shine)) record(out, changed);

@@ -97,12 +97,25 @@ void record_peaks(Random& random, Recorder& out)
     }
 }
 
+/// Some triangles twice: they count twice, whether the two follow each other or not.
+void repeat_some(IndexedMesh& mesh, Random& random)
+{
+    std::vector<glm::uvec3> all;
+    for (const glm::uvec3& triangle : mesh.triangles) {
+        all.push_back(triangle);
+        if (random.below(6) == 0) all.push_back(triangle);
+        if (random.below(12) == 0) all.push_back(mesh.triangles.front());
+    }
+    mesh.triangles = std::move(all);
+}
+
 void record_random(Random& random, Variation& vary, Recorder& out)
 {
     for (int i = 0; i < 5; ++i) {
         IndexedMesh mesh = hills(12, 9, random);
         turn(mesh, random);
         begin_anywhere(mesh, random);
+        if (i % 2 == 1) repeat_some(mesh, random);
         record(out, mesh);
     }
     record(out, varied(vary, trefoil(40, 7, 0.4)));

@@ -28,6 +28,29 @@ inline Call past_whole_rows()
     return call;
 }
 
+/// A triangle's sides from 1,024 to 4,096 in front of the camera: 1/w hardly changes, and the colours' shares do.
+inline Call far_away()
+{
+    constexpr float near = 1024;
+    Call call = on_paper({{-near / 2, 0, -near}, {2 * near, 0, -4 * near}, {0, near / 2, -near}});
+    call.width = call.height = 32;
+    call.state.viewport = {0, 0, 32, 32, 0, 1};
+    call.state.to_clip[2] = {0, 0, -1, -1};
+    call.state.to_clip[3] = {0, 0, -2, 0};
+    call.state.mode = PolygonMode::line;
+    return call;
+}
+
+/// A filled triangle that reaches beyond all four sides of the viewport, which cuts it to seven corners on multiples of
+/// a pixel; mirrored in x and y by -1.
+inline Call of_seven_corners(float x, float y)
+{
+    Call call = on_paper({{0, 1.5F * y, 0.25F}, {-5.5F * x, -4 * y, 0.25F}, {11 * x / 6, -y / 3, 0.25F}});
+    call.width = call.height = 16;
+    call.state.viewport = {0, 0, 16, 16, 0, 1};
+    return call;
+}
+
 /// Halves of a pixel, from border to border of 8, or, every third, beside them by 1/512 pixel, which is a tie, or less:
 /// rounded to 1/256 they are halves again.
 inline float beside_a_half(Random& random)
@@ -70,8 +93,8 @@ inline std::vector<glm::vec3> hardly_outside(Random& random)
 
 /// In a viewport of 8 x 8 pixels within a picture of 12 x 12: corners in halves of a pixel or beside them. So ends of
 /// lines lie on centres, and sides and points on the viewport's own borders. Every third call is culled. Two calls have
-/// other viewports. Then triangles that show their back because they have no area, and others that hardly need
-/// clipping.
+/// other viewports, and some show what lies far away or is cut at all sides. Then triangles that show their back
+/// because they have no area, and others that hardly need clipping.
 inline std::vector<Call> borders(Random& random)
 {
     const auto in_viewport = [](const std::vector<glm::vec3>& places, int i) {
@@ -95,7 +118,8 @@ inline std::vector<Call> borders(Random& random)
         // So do those of a hundredth of a pixel: points.
         in_viewport({{3, 3, 0}, {3 + 2.0F / 256, 3 + 4.0F / 256, 0}, {3 + 4.0F / 256, 3, 0}}, 11),
         in_viewport({{3, 3, 0}, {3 + 4.0F / 256, 3, 0}, {3 + 2.0F / 256, 3 + 4.0F / 256, 0}}, 11),
-        above_and_beside_the_picture(), past_whole_rows()};
+        above_and_beside_the_picture(), past_whole_rows(), far_away(), of_seven_corners(1, 1), of_seven_corners(-1, 1),
+        of_seven_corners(1, -1), of_seven_corners(-1, -1)};
     for (int i = 0; i < 24; ++i) {
         std::vector<glm::vec3> places(6);
         for (glm::vec3& place : places) {

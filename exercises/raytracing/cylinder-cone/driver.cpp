@@ -140,6 +140,8 @@ std::vector<Ray> from_far_away(Quadric quadric, Random& random)
         const std::vector<Ray> more = far_pairs(quadric, random, distance, 100);
         rays.insert(rays.end(), more.begin(), more.end());
     }
+    const std::vector<Ray> glancing = glancing_pairs(quadric, random, 150);
+    rays.insert(rays.end(), glancing.begin(), glancing.end());
     return rays;
 }
 

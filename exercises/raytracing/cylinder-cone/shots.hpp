@@ -126,6 +126,27 @@ inline std::vector<Ray> far_pairs(Quadric quadric, Random& random, double distan
     return rays;
 }
 
+/// `count` pairs that hardly dip into the endless surface, from 1 to 1,000 away: as little as rounding the ray leaves
+/// certain, a sine of 0.003 to 0.3 of its angle with the surface. The misses do so above or below.
+inline std::vector<Ray> glancing_pairs(Quadric quadric, Random& random, int count)
+{
+    std::vector<Ray> rays;
+    for (int i = 0; i < count; ++i) {
+        const double distance = std::pow(10.0, 3 * random.uniform_double());
+        const double turn = 2e-3 * std::sqrt(10 * distance) * (1 + 2 * random.uniform_double());
+        const double angle = 6.283185307179586 * random.uniform_double();
+        const double slope = 0.5 * (2 * random.uniform_double() - 1);
+        const auto glancing = [&](double height) {
+            const glm::dvec3 entry = position(quadric, {angle, height});
+            const glm::dvec3 exit = position(quadric, {angle + (i % 2 == 0 ? turn : -turn), height + turn * slope});
+            return aimed_at(entry, normalize(entry - exit), distance);
+        };
+        const double on = 0.1 + 0.4 * random.uniform_double();
+        add_pair(rays, glancing(on), glancing(i % 4 < 2 ? 1.5 + on : -0.5 - on), random);
+    }
+    return rays;
+}
+
 /// `count` pairs that run nearly parallel to the axis of the cylinder, or to a line of the cone, so that the
 /// coefficient of t² is small beside the direction's square: under 1e-6, or from 2e-3 down to what rounding leaves. A
 /// third of the directions have lengths from 1e-6 to 1e6. The misses turn back and leave through the open end, or

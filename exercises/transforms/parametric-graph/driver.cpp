@@ -130,8 +130,8 @@ void record_torn(Variation& vary, Recorder& out)
     draw(out, *outer, {.modelview = scale(q(2), q(2)), .depth = 3});
 }
 
-// Pointers to the same matrices while the node grows tenfold, and matrices that are written to afterwards. A pointer is
-// recorded as the number of the different ones that came before it.
+// Pointers to the same matrices while the node grows tenfold, some equal to the one before, and matrices that are
+// written to afterwards. A pointer is recorded as the number of the different ones that came before it.
 void record_pointers(Recorder& out, Random& random)
 {
     record_names(out);
@@ -145,8 +145,10 @@ void record_pointers(Recorder& out, Random& random)
     };
     std::vector<std::size_t> indices;
     const std::shared_ptr<const Drawable> object = numbered(1);
+    float step = 0;
     const auto grow = [&] {
-        indices.push_back(ask<&GraphNode::add_transformation>(out, *node, move(random.uniform(-1, 1), 1)));
+        if (random.below(3) != 0) step = random.uniform(-1, 1);
+        indices.push_back(ask<&GraphNode::add_transformation>(out, *node, move(step, 1)));
         ask<&GraphNode::add_object>(out, *node, object);
     };
     constexpr std::size_t watched = 12;

@@ -1,6 +1,7 @@
 #include "umbral/record/block_trace.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "umbral/record/cost.hpp"
@@ -30,8 +31,16 @@ void BlockTrace::pass(std::uintptr_t address)
     if (place >= last_.size()) last_.resize(std::max<std::size_t>(place + 1, 2 * last_.size()), 0);
     if (last_[place] == questions_) return;
     last_[place] = questions_;
+    add_row(static_cast<std::uint32_t>(place));
+    if (unwound_ == questions_ || std::uncaught_exceptions() == 0) return;
+    unwound_ = questions_;
+    add_row(passed_by_exception);
+}
+
+void BlockTrace::add_row(std::uint32_t place)
+{
     rows_.push_back(questions_ - 1);
-    rows_.push_back(static_cast<std::uint32_t>(place));
+    rows_.push_back(place);
 }
 
 void BlockTrace::pass_too_late(std::uint32_t place)

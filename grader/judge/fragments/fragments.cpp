@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 
 #include "judge/fragments/rule.hpp"
 #include "judge/rows/tolerance.hpp"
@@ -13,7 +15,7 @@
 namespace umbral::grader {
 namespace {
 
-/// The first place where something is wrong, with the fragments of both sides.
+/// A place where something is wrong, with the fragments of both sides.
 struct BadPlace {
     Place place;
     Fragments yours;
@@ -24,8 +26,9 @@ struct Comparison {
     FragmentTally tally;
     std::size_t wrong_place = 0;
     std::vector<MovedPrimitive> moved;
-    std::optional<BadPlace> first;
-    double error = 0;  ///< the worst of the fragments that both sides have
+    std::optional<BadPlace> first_uncovered;  ///< where fragments are missing, extra or there again
+    std::optional<BadPlace> first_changed;    ///< where only values are wrong
+    double error = 0;                         ///< the worst of the fragments that both sides have
 };
 
 Comparison compare(const FragmentTable& yours, const FragmentTable& expected, const FragmentMatcher& matcher,
@@ -37,7 +40,9 @@ Comparison compare(const FragmentTable& yours, const FragmentTable& expected, co
         result.tally += tally;
         for (std::size_t i = 0; i < std::min(here.size(), there.size()); ++i)
             result.error = std::max(result.error, matcher.error(here[i], there[i]));
-        if (!tally.all_right() && !result.first) result.first = {place, here, there};
+        if (tally.all_right()) return;
+        auto& first = tally.wrong_value > 0 ? result.first_changed : result.first_uncovered;
+        if (!first) first = {place, here, there};
     });
     if (can_move && result.tally.missing > 0 && result.tally.extra > 0)
         result.moved = moved_primitives(yours, expected);
@@ -66,6 +71,16 @@ std::string fragments_text(const FragmentTable& table, Fragments here, const Fra
     std::vector<std::string> values;
     for (const double value : table.attributes(here[0])) values.push_back(number_text(value, digits));
     return values.empty() ? "one " + words.row() : fmt::format("({})", fmt::join(values, ", "));
+}
+
+/// The first place of the kind of fault that there is more of, and how it is called.
+std::pair<const BadPlace*, const char*> first_of(const Comparison& result)
+{
+    const auto& [uncovered, changed] = std::tie(result.first_uncovered, result.first_changed);
+    if (!uncovered || !changed) return {uncovered ? &*uncovered : changed ? &*changed : nullptr, "the first is"};
+    const std::size_t all = result.tally.missing + result.tally.extra + result.tally.duplicated + result.wrong_place;
+    if (all >= result.tally.wrong_value) return {&*uncovered, "the first that is missing or too much is"};
+    return {&*changed, "the first with a wrong value is"};
 }
 
 std::string message(const Comparison& result, const FragmentTable& yours, const FragmentTable& expected,
@@ -121,14 +136,15 @@ Judgement judge_fragments(const Check& check, const Tensor& student, const Tenso
     if (tally.all_right() && result.wrong_place == 0) return judgement;
 
     judgement.message = message(result, yours, expected, words);
-    if (!result.first) return judgement;
-    const auto& [place, here, there] = *result.first;
+    const auto [first, is_called] = first_of(result);
+    if (first == nullptr) return judgement;
+    const auto& [place, here, there] = *first;
     const auto [of_yours, of_expected] = telling_apart([&, here = here, there = there](int digits) {
         return std::pair(fragments_text(yours, here, words, digits), fragments_text(expected, there, words, digits));
     });
     judgement.first_difference = Difference{words.where(place), of_yours, of_expected};
     set_row(expected, place, there, *judgement.first_difference);
-    judgement.message += "; the first is " + judgement.first_difference->where;
+    judgement.message += fmt::format("; {} {}", is_called, judgement.first_difference->where);
     if (with_sketch && words.are_pixels()) judgement.sketch = fragment_sketch(matcher, yours, expected, place);
     return judgement;
 }
