@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "judge/rows/columns.hpp"
 #include "question/names.hpp"
 
 namespace umbral::grader {
@@ -26,16 +27,29 @@ void add_answer(const AskedAnswers& answers, const AskedAnswer& one, std::vector
         numbers.push_back(one.answer.expected.empty() ? 0 : one.answer.expected[i]);
 }
 
-std::vector<std::string> answer_names(const AskedAnswers& answers)
+/// What 0, 1, … mean in this column of codes, as long as its name says so.
+std::vector<std::string> meanings_of(const std::string& column)
 {
-    std::vector<std::string> names;
-    if (answers.optional) names.emplace_back(has_answer);
-    if (answers.all.empty() || !answers.all.front().row) return names;
-    for (std::size_t i = 0; i < answers.components; ++i)
-        names.push_back(answers.components == 1      ? right_answer
-                        : i < answers.columns.size() ? fmt::format("{}.{}", right_answer, answers.columns[i])
-                                                     : fmt::format("{}[{}]", right_answer, i));
-    return names;
+    std::vector<std::string> words;
+    for (std::string word = column_word(column, 0).word; !word.empty();
+         word = column_word(column, static_cast<double>(words.size())).word)
+        words.push_back(std::move(word));
+    return words;
+}
+
+/// Adds what is known of right answers by name, as add_answer() adds the numbers.
+void name_answers(const AskedAnswers& answers, QuestionTable& table)
+{
+    if (answers.optional) table.names.emplace_back(has_answer);
+    if (answers.all.empty() || !answers.all.front().row) return;
+    for (std::size_t i = 0; i < answers.components; ++i) {
+        const std::string column = i < answers.columns.size() ? answers.columns[i] : "";
+        table.words.resize(table.names.size());
+        table.words.push_back(meanings_of(column));
+        table.names.push_back(answers.components == 1 ? right_answer
+                              : column.empty()        ? fmt::format("{}[{}]", right_answer, i)
+                                               : fmt::format("{}.{}", right_answer, column_word(column, 0).name));
+    }
 }
 
 /// A table that tells of right answers alone.
@@ -70,7 +84,7 @@ ToldSample told_of(QuestionTable table, std::vector<bool> wrong)
 ToldSample by_answer(QuestionTable table, const AnswersOfKind& answers)
 {
     const bool with_questions = !table.names.empty();
-    std::ranges::copy(answer_names(answers.asked), std::back_inserter(table.names));
+    name_answers(answers.asked, table);
     std::vector<bool> wrong;
     for (const AskedAnswer* const one : answers.some) {
         std::vector<double> numbers = with_questions ? answers.kind.questions.at(one->question) : std::vector<double>();

@@ -65,13 +65,13 @@ PlacesOfQuestions TracedRuns::placed(const Blocks& blocks)
     constexpr std::size_t most_at_once = 1024;  // a useful run has some hundred
     std::set<std::uint32_t> fresh;
     for (const auto& [question, block] : blocks)
-        if (block != passed_by_exception && !numbers_.contains(block)) fresh.insert(block);
+        if (block != ended_by_exception && !numbers_.contains(block)) fresh.insert(block);
     if (fresh.size() > most_at_once) return {};
     look_up({fresh.begin(), fresh.end()});
     PlacesOfQuestions result;
     for (const auto& [question, block] : blocks) {
         PassedByOne& passed = result[question];
-        if (block == passed_by_exception) {
+        if (block == ended_by_exception) {
             passed.by_exception = true;
             continue;
         }

@@ -18,7 +18,7 @@ namespace umbral::grader {
 /// What one question came through.
 struct PassedByOne {
     std::vector<std::uint32_t> places{};  ///< by number, in the order in which it first did
-    bool by_exception = false;            ///< some of them because an exception passed
+    bool by_exception = false;            ///< an exception ended it
 };
 
 using PlacesOfQuestions = std::map<std::uint32_t, PassedByOne>;

@@ -12,7 +12,7 @@ namespace umbral::grader {
 struct PassedPlaces {
     std::vector<bool> wrong{};                         ///< has the question a wrong answer?
     std::vector<std::vector<std::uint32_t>> places{};  ///< in the order in which they were first reached
-    std::vector<bool> by_exception{};                  ///< did an exception pass code of the student's? Empty: none did
+    std::vector<bool> by_exception{};                  ///< did an exception end the question? Empty: none did
 };
 
 /// A place that questions with wrong answers come through, and those with right ones do not, or the reverse.
@@ -30,9 +30,9 @@ inline constexpr std::size_t least_parted_questions = 3;
 
 /// The places that part wrong from right ones best, and all alike, at most sixteen: first those that wrong ones come
 /// through, in the order in which they are reached. All but 3 % must lie on their side; where all wrong ones do, a
-/// tenth of the right ones may lie there too, a third as many as there are wrong ones. Where an exception passed in one
-/// of the wrong ones, no place that right ones alone come through is told: what stands behind a call that was left so
-/// seems not to be reached, and its line is.
+/// tenth of the right ones may lie there too, a third as many as there are wrong ones. Where an exception ended one of
+/// the wrong ones, no place that right ones alone come through is told: what stands behind a call that was left so is
+/// not reached, and its line is.
 [[nodiscard]] std::vector<PartingPlace> parting_places(const PassedPlaces& seen);
 
 /// The same place among other questions.

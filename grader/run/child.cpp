@@ -288,6 +288,7 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     if (job.inquiry.blocks) {
         trace.emplace(static_cast<std::uintptr_t>(header.library_base), end);
         questions.at_each_question([&] { trace->next_question(); });
+        questions.at_each_exception([&] { trace->end_by_exception(); });
     }
     run_case(*one, what, recorder);
     finish(header, recorder, trace);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "asking.hpp"
 
 namespace umbral {
@@ -10,6 +12,29 @@ TEST(Ask, calls_and_takes_nothing_down_where_nobody_wants_to_know)
     Recorder out;
     EXPECT_EQ(ask<sum>(out, std::array{1.0F, 2.0F}, Side::back), 103.0F);
     EXPECT_TRUE(out.tensors().empty());
+}
+
+int refuse_odd(int number)
+{
+    if (number % 2 != 0) throw std::invalid_argument("odd");
+    return number;
+}
+
+TEST(Ask, says_which_calls_end_by_an_exception)
+{
+    Questions questions(first_two);
+    std::vector<int> begun_at_exceptions;
+    int begun = 0;
+    questions.at_each_question([&] { ++begun; });
+    questions.at_each_exception([&] { begun_at_exceptions.push_back(begun); });
+    Recorder out(questions);
+    for (const int number : {2, 3, 4, 5}) {
+        try {
+            (void)ask<refuse_odd>(out, number);
+        } catch (const std::invalid_argument&) {
+        }
+    }
+    EXPECT_EQ(begun_at_exceptions, (std::vector{2, 4}));
 }
 
 TEST(Ask, writes_a_question_as_code_with_exact_digits)

@@ -45,10 +45,7 @@ inline Call far_away()
 /// a pixel; mirrored in x and y by -1.
 inline Call of_seven_corners(float x, float y)
 {
-    Call call = on_paper({{0, 1.5F * y, 0.25F}, {-5.5F * x, -4 * y, 0.25F}, {11 * x / 6, -y / 3, 0.25F}});
-    call.width = call.height = 16;
-    call.state.viewport = {0, 0, 16, 16, 0, 1};
-    return call;
+    return on_paper({{0, 1.5F * y, 0.25F}, {-5.5F * x, -4 * y, 0.25F}, {11 * x / 6, -y / 3, 0.25F}});
 }
 
 /// Halves of a pixel, from border to border of 8, or, every third, beside them by 1/512 pixel, which is a tie, or less:

@@ -204,6 +204,7 @@ struct AskFunction {
         if (questions->code_is_wanted())
             questions->set_code((is_to_object ? questions->history() : "") + code_of_call(*questions, name, all));
         note(*questions, name, all);
+        const EndOfCall end(*questions);
         return std::apply([](auto&... each) -> Result { return Function(each...); }, all);
     }
 };
@@ -233,6 +234,7 @@ struct AskMember {
         }
         if (Changes && known) questions->note_change(name);
         note(*questions, name, all);
+        const EndOfCall end(*questions);
         return std::apply([&](auto&... each) -> Result { return (object.*Function)(each...); }, all);
     }
 };

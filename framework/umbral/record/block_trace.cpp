@@ -1,7 +1,6 @@
 #include "umbral/record/block_trace.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <utility>
 
 #include "umbral/record/cost.hpp"
@@ -32,9 +31,11 @@ void BlockTrace::pass(std::uintptr_t address)
     if (last_[place] == questions_) return;
     last_[place] = questions_;
     add_row(static_cast<std::uint32_t>(place));
-    if (unwound_ == questions_ || std::uncaught_exceptions() == 0) return;
-    unwound_ = questions_;
-    add_row(passed_by_exception);
+}
+
+void BlockTrace::end_by_exception()
+{
+    if (questions_ > 0) add_row(ended_by_exception);
 }
 
 void BlockTrace::add_row(std::uint32_t place)

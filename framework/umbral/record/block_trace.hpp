@@ -16,8 +16,8 @@ namespace umbral {
 /// in which they ran first. A place is an address behind the block's beginning, counted from where the library lies.
 inline constexpr std::string_view blocks_of_questions = "?blocks";
 
-/// As a place: the question went through blocks that run because an exception passes.
-inline constexpr std::uint32_t passed_by_exception = 0xFFFFFFFF;
+/// As a place: the question ended by an exception.
+inline constexpr std::uint32_t ended_by_exception = 0xFFFFFFFF;
 
 /// In a recording that ended in a question which took too long: the places that it came through last.
 inline constexpr std::string_view blocks_of_loop = "?loop";
@@ -46,6 +46,9 @@ public:
         passed_ = 0;
     }
 
+    /// An exception ends the current question.
+    void end_by_exception();
+
     /// A block runs, whose code goes on at `address`.
     void pass(std::uintptr_t address);
 
@@ -61,7 +64,6 @@ private:
     std::uint64_t passed_ = 0;  ///< blocks of the current question
     std::set<std::uint32_t> loop_{};
     std::uint32_t questions_ = 0;
-    std::uint32_t unwound_ = 0;          ///< the last question that an exception passed, counted from 1
     std::vector<std::uint32_t> last_{};  ///< for each place, the last question that came through it, counted from 1
     std::vector<std::uint32_t> rows_{};
 };

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <map>
 #include <optional>
@@ -69,10 +70,18 @@ public:
     /// Has `noted` called whenever a question begins.
     void at_each_question(std::function<void()> noted) { noted_ = std::move(noted); }
 
+    /// Has `left` called whenever an exception ends a question.
+    void at_each_exception(std::function<void()> left) { left_ = std::move(left); }
+
     /// The next question begins. Rows that are recorded from now on are its answers.
     void begin();
     /// Is the current one to be written as code?
     [[nodiscard]] bool code_is_wanted() const;
+    /// An exception ends the question.
+    void leave() const
+    {
+        if (left_) left_();
+    }
     void set_code(std::string_view code);
     /// Has `function` been introduced?
     [[nodiscard]] bool knows(std::string_view function) const;
@@ -126,6 +135,7 @@ private:
 
     Inquiry inquiry_;
     std::function<void()> noted_{};
+    std::function<void()> left_{};
     std::optional<AskedInstead> instead_;
     std::uint32_t count_ = 0;       ///< of questions begun
     std::uint32_t whole_from_ = 0;  ///< the questions that the last picture answered: from this one …
@@ -140,6 +150,22 @@ private:
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> rows_;
     std::map<std::string, std::pair<std::uint32_t, std::uint32_t>, std::less<>> wholes_;
     std::map<std::string, std::vector<std::array<std::uint32_t, 6>>, std::less<>> tiles_;
+};
+
+/// Tells when the call that it stands before ends by an exception.
+class EndOfCall {
+public:
+    explicit EndOfCall(const Questions& questions) : questions_(questions) {}
+    EndOfCall(const EndOfCall&) = delete;
+    EndOfCall& operator=(const EndOfCall&) = delete;
+    ~EndOfCall()
+    {
+        if (std::uncaught_exceptions() > before_) questions_.leave();
+    }
+
+private:
+    const Questions& questions_;
+    int before_ = std::uncaught_exceptions();
 };
 
 }
