@@ -21,4 +21,15 @@ inline std::string script_until(const input::EventScript& script, double until, 
     return text;
 }
 
+/// The same of a moment before, which the question is about, and how much happened since.
+inline std::string script_about(const input::EventScript& script, double moment, double until, bool in_full)
+{
+    if (in_full || moment >= until) return script_until(script, until, in_full);
+    const auto later = std::ranges::count_if(
+        script, [&](const input::TimedEvent& event) { return event.time > moment && event.time <= until; });
+    std::string text = script_until(script, moment, false);
+    if (later > 0) text += "\n// … " + std::to_string(later) + " later events left out";
+    return text;
+}
+
 }

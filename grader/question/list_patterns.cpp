@@ -27,6 +27,86 @@ std::map<double, int> surplus(const AnswerPair& one, std::size_t components)
     return kinds;
 }
 
+using Rows = std::vector<std::vector<double>>;
+
+/// The rows of a list without their first `keys` numbers.
+Rows rows_of(const std::vector<double>& list, std::size_t components, std::size_t keys)
+{
+    Rows rows;
+    for (std::size_t at = 0; at + components <= list.size(); at += components)
+        rows.emplace_back(list.begin() + static_cast<std::ptrdiff_t>(at + keys),
+                          list.begin() + static_cast<std::ptrdiff_t>(at + components));
+    return rows;
+}
+
+/// Do the rows' keys say no more than their places in the list: each is the same in all of them, or counts them?
+bool keys_are_places(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
+{
+    return std::ranges::all_of(wrong, [&](const AnswerPair* one) {
+        const std::vector<double>& list = one->expected;
+        for (std::size_t at = 0; at < list.size(); at += table.components)
+            for (std::size_t key = 0; key < table.keys; ++key)
+                if (list[at + key] != list[key] && list[at + key] != static_cast<double>(at / table.components))
+                    return false;
+        return true;
+    });
+}
+
+bool are_alike(const Rows& some, const Rows& others, double size)
+{
+    return std::ranges::equal(some, others, [size](const auto& a, const auto& b) {
+        return std::ranges::equal(a, b, [size](double x, double y) { return alike(x, y, size); });
+    });
+}
+
+/// Each row where it comes first.
+Rows once(const Rows& rows, double size)
+{
+    Rows result;
+    for (const auto& row : rows)
+        if (std::ranges::none_of(result, [&](const auto& other) { return are_alike({row}, {other}, size); }))
+            result.push_back(row);
+    return result;
+}
+
+/// What is so of rows that are right, but come too often, not often enough, or elsewhere.
+std::vector<std::string> patterns_of_right_rows(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
+{
+    constexpr std::size_t least_rows = 3;
+    constexpr std::size_t most_rows = 300;
+    const std::size_t keys = keys_are_places(table, wrong) ? table.keys : 0;
+    bool twice = true;
+    bool only_once = true;
+    bool turned = true;
+    bool in_other_order = true;
+    for (const AnswerPair* one : wrong) {
+        const Rows yours = rows_of(one->yours, table.components, keys);
+        Rows right = rows_of(one->expected, table.components, keys);
+        if (std::max(yours.size(), right.size()) > most_rows || right.size() < least_rows) return {};
+        double size = 0;
+        for (const auto& row : right) size = std::max(size, size_of(row));
+        twice = twice && yours.size() > right.size() && are_alike(once(yours, size), once(right, size), size);
+        only_once = only_once && yours.size() < right.size() && are_alike(yours, once(right, size), size);
+        const bool same_size = yours.size() == right.size();
+        bool is_turned = false;
+        for (std::size_t i = 0; same_size && turned && i < right.size() && !is_turned; ++i) {
+            is_turned = are_alike(yours, right, size);
+            std::ranges::rotate(right, right.begin() + 1);
+        }
+        turned = turned && is_turned;
+        Rows sorted = yours;
+        std::ranges::sort(sorted);
+        std::ranges::sort(right);
+        in_other_order = in_other_order && same_size && are_alike(sorted, right, size);
+    }
+    std::vector<std::string> found;
+    if (twice) found.emplace_back("has a row once too often, and the others as they are to be");
+    if (only_once) found.emplace_back("has only once what is to come several times");
+    if (turned) found.emplace_back("begins with another row, and goes round as it should");
+    if (in_other_order && !turned) found.emplace_back("has the right rows in another order");
+    return found;
+}
+
 }
 
 std::vector<std::string> list_patterns(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
@@ -84,6 +164,8 @@ std::vector<std::string> list_patterns(const AnswerTable& table, const std::vect
             return alike(yours[at], right[at - components], size_of(right));
         }))
         found.emplace_back("has each row one place too late");
+    if (!table.picture && table.kinds.empty())
+        std::ranges::move(patterns_of_right_rows(table, wrong), std::back_inserter(found));
     return found;
 }
 

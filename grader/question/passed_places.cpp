@@ -8,7 +8,7 @@ namespace umbral::grader {
 namespace {
 
 constexpr double least_on_their_side = 0.97;
-constexpr double most_strays = 0.1;
+constexpr double most_strays = 0.05;
 constexpr std::size_t most_parting_places = 16;
 constexpr double most_strays_per_wrong = 1.0 / 3;
 

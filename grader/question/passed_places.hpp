@@ -30,9 +30,9 @@ inline constexpr std::size_t least_parted_questions = 3;
 
 /// The places that part wrong from right ones best, and all alike, at most sixteen: first those that wrong ones come
 /// through, in the order in which they are reached. All but 3 % must lie on their side; where all wrong ones do, a
-/// tenth of the right ones may lie there too, a third as many as there are wrong ones. Where an exception ended one of
-/// the wrong ones, no place that right ones alone come through is told: what stands behind a call that was left so is
-/// not reached, and its line is.
+/// twentieth of the right ones may lie there too, a third as many as there are wrong ones. Where an exception ended one
+/// of the wrong ones, no place that right ones alone come through is told: what stands behind a call that was left so
+/// is not reached, and its line is.
 [[nodiscard]] std::vector<PartingPlace> parting_places(const PassedPlaces& seen);
 
 /// The same place among other questions.

@@ -6,8 +6,6 @@
 namespace umbral::grader::test {
 namespace {
 
-using Row = std::vector<double>;
-
 /// Lists of pairs of numbers, all wrong as `spoil` makes them.
 template <class Spoil>
 std::string said_of_lists(const Spoil& spoil)
@@ -43,6 +41,54 @@ TEST(ListPatterns, say_that_rows_come_one_place_too_late)
                   return row;
               }),
               "has each row one place too late");
+}
+
+TEST(ListPatterns, of_right_rows_say_how_often_and_where_they_come)
+{
+    const auto row_at = [](const Row& list, std::ptrdiff_t i) {
+        return Row(list.begin() + 2 * i, list.begin() + 2 * i + 2);
+    };
+    EXPECT_EQ(said_of_lists([&](Row list) {
+                  const Row again = row_at(list, 1);
+                  list.insert(list.begin() + 6, again.begin(), again.end());
+                  return list;
+              }),
+              "has a row once too often, and the others as they are to be");
+    EXPECT_EQ(said_of_lists([](Row list) {
+                  std::rotate(list.begin(), list.begin() + 4, list.end());
+                  return list;
+              }),
+              "begins with another row, and goes round as it should");
+    EXPECT_EQ(said_of_lists([](Row list) {
+                  std::swap_ranges(list.begin(), list.begin() + 2, list.begin() + 4);
+                  return list;
+              }),
+              "has the right rows in another order");
+}
+
+// Corners of polygons are counted: "polygon, corner, 0, x, y".
+TEST(ListPatterns, do_not_take_the_number_of_a_row_for_what_it_says)
+{
+    AnswerTable made;
+    made.components = 5;
+    made.keys = 3;
+    for (double i = 0; i < 6; ++i) {
+        AnswerPair pair{{}, {}, true};
+        for (double k = 0; k < 5; ++k) pair.expected.insert(pair.expected.end(), {i, k, 0, i + 1, k == 4 ? 0 : k * i});
+        // Without the last corner, which is to be that of the first once more, if only i is 0.
+        pair.expected[4 * 5 + 4] = pair.expected[4];
+        pair.yours.assign(pair.expected.begin(), pair.expected.end() - 5);
+        made.answers.push_back(pair);
+    }
+    EXPECT_EQ(first_pattern(made), "lacks the last row");
+    for (AnswerPair& pair : made.answers) {
+        // The second corner is left out, which the others of the list do not say by their numbers.
+        pair.expected = {pair.expected[0], 0, 0, 1, 1, 0, 1, 0, 2, pair.expected[0], 0, 2, 0, 1, 1, 0, 3, 0, 5, 5};
+        for (std::size_t k = 1; k < 4; ++k) pair.expected[5 * k] = pair.expected[0];
+        pair.yours = {pair.expected[0], 0, 0, 1, 1, pair.expected[0], 1, 0, 2, pair.expected[0],
+                      pair.expected[0], 2, 0, 5, 5};
+    }
+    EXPECT_EQ(first_pattern(made), "has only once what is to come several times");
 }
 
 TEST(ListPatterns, of_one_number_of_several_say_that_it_is_always_the_same)

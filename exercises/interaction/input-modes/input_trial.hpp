@@ -156,6 +156,14 @@ private:
         out_.append(table, std::span<const float>(row));
     }
 
+    /// What a question is about: the oldest event that waits in the queue, as a solution that keeps it there says, or
+    /// now.
+    [[nodiscard]] double moment_of(std::string_view call, double now) const
+    {
+        const bool is_of_queue = call.starts_with("next_event") && !memory_.pending.empty();
+        return is_of_queue ? memory_.pending.front().time : now;
+    }
+
     /// `ahead`: seconds of the script that lie before the program, and are shown too.
     void tell(const std::string& call, double ahead)
     {
@@ -163,8 +171,8 @@ private:
             const double now = glfwGetTime();
             const bool in_full = out_.questions()->inquiry().in_full;
             return "install_input(window);  // at " + std::to_string(installed_) + " s\n" +
-                   script_until(script_, now + ahead, in_full) + "\n" + unknown_keys_ + "// at " + std::to_string(now) +
-                   " s\n" + call;
+                   script_about(script_, moment_of(call, now + ahead), now + ahead, in_full) + "\n" + unknown_keys_ +
+                   "// at " + std::to_string(now) + " s\n" + call;
         });
     }
 
