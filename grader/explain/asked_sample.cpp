@@ -52,13 +52,28 @@ void name_answers(const AskedAnswers& answers, QuestionTable& table)
     }
 }
 
-/// A table that tells of right answers alone.
+/// A table that tells of right answers, and where among those to the same question each stands.
 QuestionTable no_questions(const AskedAnswers& answers)
 {
     QuestionTable table;
-    table.answers = 0;
-    if (answers.optional) table.first = 0;
+    table.names.emplace_back(place_in_call);
+    table.words = {{"between others", "the first", "the last", "the only one"}};
+    table.answers = 1;
+    if (answers.optional) table.first = 1;
     return table;
+}
+
+/// The first and the last row that each question led to.
+std::map<std::uint32_t, std::pair<std::size_t, std::size_t>> rows_by_question(const AnswersOfKind& answers)
+{
+    std::map<std::uint32_t, std::pair<std::size_t, std::size_t>> rows;
+    for (const AskedAnswer* const one : answers.some) {
+        if (!one->row) continue;
+        auto& [first, last] = rows.try_emplace(one->question, *one->row, *one->row).first->second;
+        first = std::min(first, *one->row);
+        last = std::max(last, *one->row);
+    }
+    return rows;
 }
 
 /// The questions' own numbers, called as the interface calls them.
@@ -80,14 +95,21 @@ ToldSample told_of(QuestionTable table, std::vector<bool> wrong)
     return {std::move(table.names), std::move(table.numbers), std::move(facts), std::move(wrong)};
 }
 
-/// `table` has the questions' names, or none.
-ToldSample by_answer(QuestionTable table, const AnswersOfKind& answers)
+/// `table` is questions_of() or, of questions with several answers, no_questions().
+ToldSample by_answer(QuestionTable table, const AnswersOfKind& answers, bool several)
 {
-    const bool with_questions = !table.names.empty();
     name_answers(answers.asked, table);
     std::vector<bool> wrong;
+    const auto rows =
+        several ? rows_by_question(answers) : std::map<std::uint32_t, std::pair<std::size_t, std::size_t>>();
     for (const AskedAnswer* const one : answers.some) {
-        std::vector<double> numbers = with_questions ? answers.kind.questions.at(one->question) : std::vector<double>();
+        std::vector<double> numbers;
+        if (const auto found = rows.find(one->question); found != rows.end() && one->row)
+            numbers.push_back((*one->row == found->second.first ? 1 : 0) + (*one->row == found->second.second ? 2 : 0));
+        else if (several)
+            numbers.push_back(0);
+        else
+            numbers = answers.kind.questions.at(one->question);
         add_answer(answers.asked, *one, numbers);
         table.numbers.push_back(std::move(numbers));
         wrong.push_back(one->answer.wrong);
@@ -160,11 +182,11 @@ AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t 
     for (const AskedAnswer* const one : some) result.questions.insert(kind->questions.at(one->question));
     const AnswersOfKind of_kind{answers, *kind, some};
     const QuestionTable table = questions_of(asked, of_kind);
-    result.by_answer = by_answer(table, of_kind);
+    result.by_answer = by_answer(table, of_kind, false);
     result.answers.facts = result.by_answer.facts;
     result.by_question = by_question(table, of_kind);
     result.answers.several = !result.by_question.numbers.empty();
-    if (result.answers.several) result.by_answer = by_answer(no_questions(answers), of_kind);
+    if (result.answers.several) result.by_answer = by_answer(no_questions(answers), of_kind, true);
     return result;
 }
 

@@ -14,6 +14,8 @@ namespace umbral::grader {
 /// What the right answer's numbers, and whether there is one, are called among those of a question.
 inline constexpr const char* right_answer = "the right answer";
 inline constexpr const char* has_answer = "there being a right answer";
+/// Of a question with several answers, where an answer stands among them.
+inline constexpr const char* place_in_call = "a row of a call";
 
 /// Questions or answers beside each other: what is told of each, and which are wrong.
 struct ToldSample {
@@ -29,7 +31,8 @@ struct AskedSample {
     AnswerTable answers{};
     std::set<std::vector<double>> questions{};  ///< the numbers of all
     /// Each answer by itself, in the same order, with its question's numbers and the right answer's. Where a question
-    /// has several answers, they tell no more of it than one would: then without the question's.
+    /// has several answers, they tell no more of it than one would: then without the question's, but with the answer's
+    /// place among them.
     ToldSample by_answer{};
     /// Where a question has several answers, else empty: each question once, wrong if one of its answers is. Of the
     /// right answers it holds only whether there is one.
