@@ -203,11 +203,18 @@ void add_questions(Worker& worker, const Exercise& exercise, const Built& built,
     const std::string headers = interface_text(worker, exercise);
     SpareTime patterns;
     patterns.allow(most_pattern_seconds);
+    // Of a mistake that is known, the checks that are shown first are enough.
+    const bool explained = std::ranges::any_of(result.explanations, explains_all);
+    SpareTime no_more;
+    std::set<bool> shown;  ///< whether they are hidden
     for (const WrongCase& failing : wrong_cases(exercise, cases, result)) {
         CaseQuestions questions(worker, exercise, built, cases, failing.ran->first);
         if (!questions.known()) continue;
-        for (const std::size_t i : failing.checks)
-            questions.add(exercise.checks[i], result.checks[i], detail, headers, patterns);
+        for (const std::size_t i : failing.checks) {
+            const bool is_first = shown.insert(exercise.checks[i].hidden).second;
+            questions.add(exercise.checks[i], result.checks[i], detail, headers,
+                          explained && !is_first ? no_more : patterns);
+        }
         questions.write();
     }
     drop_negated_questions(result);
