@@ -142,10 +142,13 @@ std::optional<CommonCondition> condition_of(OtherCases& others, Samples& samples
     const bool fixed = samples.is_fixed();
     // Between few questions a bound can be put almost anywhere.
     if (condition->fitted && !has_both(seen.wrong, least_of_fixed)) return std::nullopt;
-    const bool exact = has_both(seen.wrong, least_of_fixed) && condition->right_where == 0 &&
-                       condition->wrong_where == condition->wrong;
+    const bool exact = condition->right_where == 0 && condition->wrong_where == condition->wrong;
     // Where a case asks the same at every desk, nothing can say that the bound is more than a number between them.
     if (fixed && (condition->fitted || !exact)) return std::nullopt;
+    // Of few questions, other cases must say the same.
+    if (fixed && !has_both(seen.wrong, least_of_fixed) &&
+        confirmed_elsewhere(*condition, others, samples.seen(), of) != Confirmed::yes)
+        return std::nullopt;
     const Confirmed confirmed = confirmed_by(*condition, samples, of);
     if (confirmed == Confirmed::no || (confirmed == Confirmed::untried && !fixed)) return std::nullopt;
     // What is said of that alone is what the answers are, and these are looked for elsewhere.

@@ -250,7 +250,9 @@ TEST_F(QuestionsOfGrids, a_question_is_wrong_if_one_of_its_answers_is)
     for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(sample.by_question.numbers[i][i % 2 == 0 ? 1 : 0], 1);
     EXPECT_EQ(sample.by_question.wrong, (std::vector<bool>{false, true, false, true}));
     EXPECT_EQ(sample.by_answer.wrong.size(), 800U);
-    EXPECT_EQ(sample.by_answer.names.size(), 3U) << "the right answer's alone";
+    EXPECT_EQ(sample.by_answer.names.size(), 4U) << "the right answer's, and its place among those of the call";
+    EXPECT_EQ(sample.by_answer.numbers.front().front(), 1) << "the first";
+    EXPECT_EQ(sample.by_answer.numbers.back().front(), 2) << "the last";
 }
 
 // One question that is written down in the driver is one example, however often it is asked.

@@ -30,8 +30,8 @@ TEST(Refusals, are_shown_instead_of_what_stands_for_them)
 {
     const CheckResult result = graded("0\tnothing\n1\texpected a number\n");
     EXPECT_EQ(result.first_difference->yours, "refused: expected a number");
-    EXPECT_TRUE(result.message.ends_with("; at row 1 yours refused: expected a number")) << result.message;
-    EXPECT_TRUE(result.headline.ends_with("; at row 1 yours refused: expected a number")) << result.headline;
+    EXPECT_TRUE(result.message.ends_with("; yours refused: expected a number")) << result.message;
+    EXPECT_TRUE(result.headline.ends_with("; yours refused: expected a number")) << result.headline;
 }
 
 TEST(Refusals, of_other_rows_or_forged_ones_do_no_harm)
