@@ -76,6 +76,18 @@ TEST(Fragments, each_class_is_counted)
               "-...\n#~..\n###.\n#2##\nx 0..3, y 0..3; # right - missing 2 drawn again ~ wrong value . empty");
 }
 
+TEST(Fragments, what_there_is_more_of_is_shown)
+{
+    const std::vector<Spot> expected = drawn(3, triangle);
+    std::vector<Spot> yours = expected;
+    yours.erase(yours.begin());
+    for (Spot& spot : yours) spot.value = 0.75F;
+    const Judgement found = judged(yours, expected);
+    ASSERT_TRUE(found.first_difference);
+    EXPECT_EQ(found.first_difference->yours, "(0.75)");
+    EXPECT_TRUE(found.message.ends_with("the first with a wrong value is pixel (0, 1) of triangle 3")) << found.message;
+}
+
 TEST(Fragments, a_row_of_its_primitive_stands_for_a_fragment_too_many)
 {
     const std::vector<Spot> expected{{1, 5, 6, 1.0F}, {2, 5, 6, 1.0F}};
