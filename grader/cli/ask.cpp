@@ -64,7 +64,8 @@ std::vector<std::string> differences(const Answer& mine, const Answer& right)
 void print_difference(const Paint& paint, const std::string& what, const Answer& mine, const Answer& right)
 {
     if (mine.given == right.given && mine.text == right.text) {
-        fmt::print("{} are equal.\n", what);
+        const bool throws = mine.given && mine.text.starts_with("throws ");
+        fmt::print("{} {}.\n", what, throws ? "are the same exception" : mine.given ? "are equal" : "are both missing");
         return;
     }
     const std::vector<std::string> lines = differences(mine, right);

@@ -28,7 +28,7 @@ std::vector<std::uint32_t> traced_numbers(const RunOutcome& run, std::string_vie
 {
     const Tensor* const tensor = tensor_of(run, std::string(name));
     if (tensor == nullptr || !well_formed(*tensor) || tensor->element != Element::uint32 ||
-        tensor->components != components || tensor->columns != 1)
+        tensor->components != components || tensor->columns != 1 || tensor->rows > 2 * BlockTrace::most_rows)
         return {};
     std::vector<std::uint32_t> numbers;
     for (const double number : to_doubles(*tensor)) numbers.push_back(static_cast<std::uint32_t>(number));

@@ -27,6 +27,12 @@ std::map<double, int> surplus(const AnswerPair& one, std::size_t components)
     return kinds;
 }
 
+/// A number, and how large numbers beside it are: less than their rounding is no difference.
+struct SizedNumber {
+    double number = 0;
+    double size = 0;
+};
+
 using Rows = std::vector<std::vector<double>>;
 
 /// The rows of a list without their first `keys` numbers.
@@ -141,27 +147,30 @@ std::vector<std::string> list_patterns(const AnswerTable& table, const std::vect
             return alike_rows(turned, right);
         }))
         found.emplace_back("has its rows in the opposite order");
-    const auto row_by_row = [&](auto is_row) {
+    const auto row_by_row = [&](auto make) {
         return all([&](RowsOfList yours, RowsOfList right) {
             constexpr std::size_t least_rows = 3;
             if (yours.size() != right.size() || right.size() < least_rows * components) return false;
+            const std::vector<SizedNumber> made = make(right);
             for (std::size_t at = components; at < yours.size(); ++at)
-                if (!is_row(yours, right, at)) return false;
+                if (!alike(yours[at], made[at].number, made[at].size)) return false;
             return true;
         });
     };
-    if (row_by_row([&](RowsOfList yours, RowsOfList right, std::size_t at) {
-            double sum = 0;
-            double size = 0;
-            for (std::size_t before = at % components; before <= at; before += components) {
-                sum += right[before];
-                size += std::abs(right[before]);
+    if (row_by_row([&](RowsOfList right) {
+            std::vector<SizedNumber> sums;
+            for (std::size_t at = 0; at < right.size(); ++at) {
+                const SizedNumber before = at < components ? SizedNumber() : sums[at - components];
+                sums.push_back({before.number + right[at], before.size + std::abs(right[at])});
             }
-            return alike(yours[at], sum, size);
+            return sums;
         }))
         found.emplace_back("has in each row the sum of the right ones up to there");
-    if (row_by_row([&](RowsOfList yours, RowsOfList right, std::size_t at) {
-            return alike(yours[at], right[at - components], size_of(right));
+    if (row_by_row([&](RowsOfList right) {
+            const double size = size_of(right);
+            std::vector<SizedNumber> late(right.size());
+            for (std::size_t at = components; at < right.size(); ++at) late[at] = {right[at - components], size};
+            return late;
         }))
         found.emplace_back("has each row one place too late");
     if (!table.picture && table.kinds.empty())

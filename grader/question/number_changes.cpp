@@ -9,6 +9,7 @@
 #include <set>
 
 #include "question/alike.hpp"
+#include "question/rounded.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -53,11 +54,7 @@ std::string digits_of(double number) { return fmt::format("{:.6g}", number); }
 bool is_near(double a, double b) { return alike(a, b, std::abs(b)); }
 
 /// Has it no more than four digits?
-bool is_short(double number)
-{
-    const double rounded = std::stod(fmt::format("{:.4g}", number));
-    return std::abs(rounded - number) <= 1e-6 * std::abs(number);
-}
+bool is_short(double number) { return std::abs(rounded_to(number, 4) - number) <= 1e-6 * std::abs(number); }
 
 /// "2/3"; empty if it is no simple fraction.
 std::string fraction_text(double number)

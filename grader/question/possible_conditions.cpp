@@ -7,6 +7,8 @@
 #include <limits>
 #include <set>
 
+#include "question/rounded.hpp"
+
 namespace umbral::grader {
 namespace {
 
@@ -113,7 +115,7 @@ double between(double low, double high)
                           : are_magnitudes(low, high)                     ? std::sqrt(low) * std::sqrt(high)
                                                                           : low + (high - low) / 2;
     for (int digits = 1; digits < 17; ++digits) {
-        const double rounded = std::stod(fmt::format("{:.{}g}", middle, digits));
+        const double rounded = rounded_to(middle, digits);
         if (rounded > low && rounded <= high) return rounded;
     }
     return high;

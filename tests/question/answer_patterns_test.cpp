@@ -28,6 +28,15 @@ TEST(AnswerPatterns, say_what_was_done_to_the_right_answer)
               "is the right one with the opposite sign");
 }
 
+// Numbers of double that are no numbers of four digits, and such as float does not have.
+TEST(AnswerPatterns, take_factors_of_any_size)
+{
+    for (const double factor : {1e-310, 5e-324, std::numeric_limits<double>::max(), 1e308}) {
+        const auto patterns = answer_patterns(table(1, [factor](Row right) { return Row{right[0] * factor}; }));
+        EXPECT_TRUE(patterns.empty() || !patterns.front().words.empty()) << factor;
+    }
+}
+
 TEST(AnswerPatterns, say_which_number_of_a_row_differs)
 {
     const auto spoilt = [](Row right) { return Row{right[0], right[1] * right[1], right[2]}; };
