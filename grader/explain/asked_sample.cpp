@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "judge/rows/columns.hpp"
@@ -63,18 +64,29 @@ QuestionTable no_questions(const AskedAnswers& answers)
     return table;
 }
 
-/// The first and the last row that each question led to.
-std::map<std::uint32_t, std::pair<std::size_t, std::size_t>> rows_by_question(const AnswersOfKind& answers)
-{
-    std::map<std::uint32_t, std::pair<std::size_t, std::size_t>> rows;
-    for (const AskedAnswer* const one : answers.some) {
-        if (!one->row) continue;
-        auto& [first, last] = rows.try_emplace(one->question, *one->row, *one->row).first->second;
-        first = std::min(first, *one->row);
-        last = std::max(last, *one->row);
+/// Where an answer stands among those to the same question, as no_questions() calls it.
+class PlacesInCalls {
+public:
+    explicit PlacesInCalls(const AnswersOfKind& answers)
+    {
+        for (const AskedAnswer* const one : answers.some) {
+            if (!one->row) continue;
+            auto& [first, last] = rows_.try_emplace(one->question, *one->row, *one->row).first->second;
+            first = std::min(first, *one->row);
+            last = std::max(last, *one->row);
+        }
     }
-    return rows;
-}
+
+    [[nodiscard]] double of(const AskedAnswer& one) const
+    {
+        if (!one.row) return 0;
+        const auto& [first, last] = rows_.at(one.question);
+        return (*one.row == first ? 1 : 0) + (*one.row == last ? 2 : 0);
+    }
+
+private:
+    std::map<std::uint32_t, std::pair<std::size_t, std::size_t>> rows_;  ///< the first and the last of each question
+};
 
 /// The questions' own numbers, called as the interface calls them.
 QuestionTable questions_of(const AskedCheck& asked, const AnswersOfKind& answers)
@@ -95,21 +107,14 @@ ToldSample told_of(QuestionTable table, std::vector<bool> wrong)
     return {std::move(table.names), std::move(table.numbers), std::move(facts), std::move(wrong)};
 }
 
-/// `table` is questions_of() or, of questions with several answers, no_questions().
-ToldSample by_answer(QuestionTable table, const AnswersOfKind& answers, bool several)
+/// `numbers_of` gives the numbers of an answer that `table` has names for.
+ToldSample by_answer(QuestionTable table, const AnswersOfKind& answers,
+                     const std::function<std::vector<double>(const AskedAnswer&)>& numbers_of)
 {
     name_answers(answers.asked, table);
     std::vector<bool> wrong;
-    const auto rows =
-        several ? rows_by_question(answers) : std::map<std::uint32_t, std::pair<std::size_t, std::size_t>>();
     for (const AskedAnswer* const one : answers.some) {
-        std::vector<double> numbers;
-        if (const auto found = rows.find(one->question); found != rows.end() && one->row)
-            numbers.push_back((*one->row == found->second.first ? 1 : 0) + (*one->row == found->second.second ? 2 : 0));
-        else if (several)
-            numbers.push_back(0);
-        else
-            numbers = answers.kind.questions.at(one->question);
+        std::vector<double> numbers = numbers_of(*one);
         add_answer(answers.asked, *one, numbers);
         table.numbers.push_back(std::move(numbers));
         wrong.push_back(one->answer.wrong);
@@ -182,11 +187,15 @@ AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t 
     for (const AskedAnswer* const one : some) result.questions.insert(kind->questions.at(one->question));
     const AnswersOfKind of_kind{answers, *kind, some};
     const QuestionTable table = questions_of(asked, of_kind);
-    result.by_answer = by_answer(table, of_kind, false);
+    result.by_answer =
+        by_answer(table, of_kind, [&kind = kind](const AskedAnswer& one) { return kind->questions.at(one.question); });
     result.answers.facts = result.by_answer.facts;
     result.by_question = by_question(table, of_kind);
     result.answers.several = !result.by_question.numbers.empty();
-    if (result.answers.several) result.by_answer = by_answer(no_questions(answers), of_kind, true);
+    if (result.answers.several)
+        result.by_answer = by_answer(
+            no_questions(answers), of_kind,
+            [places = PlacesInCalls(of_kind)](const AskedAnswer& one) { return std::vector<double>{places.of(one)}; });
     return result;
 }
 

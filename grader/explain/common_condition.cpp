@@ -145,15 +145,14 @@ std::optional<CommonCondition> condition_of(OtherCases& others, Samples& samples
     const bool exact = condition->right_where == 0 && condition->wrong_where == condition->wrong;
     // Where a case asks the same at every desk, nothing can say that the bound is more than a number between them.
     if (fixed && (condition->fitted || !exact)) return std::nullopt;
-    // Of few questions, other cases must say the same.
-    if (fixed && !has_both(seen.wrong, least_of_fixed) &&
-        confirmed_elsewhere(*condition, others, samples.seen(), of) != Confirmed::yes)
-        return std::nullopt;
     const Confirmed confirmed = confirmed_by(*condition, samples, of);
     if (confirmed == Confirmed::no || (confirmed == Confirmed::untried && !fixed)) return std::nullopt;
+    const bool are_few = fixed && !has_both(seen.wrong, least_of_fixed);
     // What is said of that alone is what the answers are, and these are looked for elsewhere.
-    if (is_presence(*condition)) return CommonCondition{*std::move(condition), of};
+    if (is_presence(*condition) && !are_few) return CommonCondition{*std::move(condition), of};
     const Confirmed elsewhere = confirmed_elsewhere(*condition, others, samples.seen(), of);
+    // Of few questions, other cases must say the same.
+    if (are_few && elsewhere != Confirmed::yes) return std::nullopt;
     // That two numbers are equal holds on by chance where neither changes, and hardly where both do.
     const bool may_be_untried = condition->is_simple || !fixed || (condition->compares && confirmed == Confirmed::yes);
     if (elsewhere == Confirmed::no || (elsewhere == Confirmed::untried && !may_be_untried)) return std::nullopt;

@@ -5,7 +5,7 @@
 
 namespace umbral::grader {
 
-/// Line `number` of a file, counted from 1, without its end and the blanks before that; nothing if there is none.
+/// Line `number` of a file, counted from 1, without its end; nothing if there is none.
 [[nodiscard]] std::optional<std::string_view> source_line(std::string_view text, int number);
 
 /// May the line be shown as one that runs? Not one of braces, parentheses and `else`, where code for what ends there

@@ -34,30 +34,29 @@ bool is_nearly_right(const AnswerPair& one, std::size_t together)
     return true;
 }
 
-bool are_whole(const std::vector<const AnswerPair*>& wrong)
+/// How many are so; none where all are whole.
+std::size_t nearly_right_in(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
 {
-    return std::ranges::all_of(wrong, [](const AnswerPair* one) {
+    const bool whole = std::ranges::all_of(wrong, [](const AnswerPair* one) {
         return std::ranges::all_of(one->yours, is_whole) && std::ranges::all_of(one->expected, is_whole);
     });
+    if (whole) return 0;
+    const std::size_t together = numbers_of_one_size(table);
+    return static_cast<std::size_t>(
+        std::ranges::count_if(wrong, [&](const AnswerPair* one) { return is_nearly_right(*one, together); }));
 }
 
 }
 
 bool are_nearly_right(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
 {
-    const std::size_t together = numbers_of_one_size(table);
-    return !are_whole(wrong) &&
-           std::ranges::all_of(wrong, [&](const AnswerPair* one) { return is_nearly_right(*one, together); });
+    return !wrong.empty() && nearly_right_in(table, wrong) == wrong.size();
 }
 
 bool are_mostly_nearly_right(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
 {
     constexpr std::size_t least_answers = 8;
-    if (wrong.size() < least_answers || are_whole(wrong)) return false;
-    const std::size_t together = numbers_of_one_size(table);
-    const auto nearly =
-        std::ranges::count_if(wrong, [&](const AnswerPair* one) { return is_nearly_right(*one, together); });
-    return 3 * static_cast<std::size_t>(nearly) >= 2 * wrong.size();
+    return wrong.size() >= least_answers && 3 * nearly_right_in(table, wrong) >= 2 * wrong.size();
 }
 
 }

@@ -64,8 +64,7 @@ void add_refusal(const Check& check, const RunOutcome& student, CheckResult& res
     for (std::string* const text : {&result.message, &result.headline}) {
         if (text->empty()) continue;
         const bool says_where = text->find(where) != std::string::npos;
-        *text +=
-            says_where ? fmt::format("; yours refused: {}", why) : fmt::format("; at {} yours refused: {}", where, why);
+        *text += fmt::format("; {}yours refused: {}", says_where ? "" : fmt::format("at {} ", where), why);
     }
 }
 

@@ -20,6 +20,12 @@ protected:
     {
         return ask_question(worker, sphere, bench.build_sphere(text), asked);
     }
+    /// Asks another unit, whose reference is the student's work too.
+    AskedQuestion ask_reference(const Exercise& exercise, const std::string& asked)
+    {
+        const Built built = build(bench.tools(), exercise, reference_sources(bench.tools().reference, exercise));
+        return ask_question(worker, exercise, built, asked);
+    }
     /// The reference with one text in place of another.
     [[nodiscard]] std::string changed(const std::string& from, const std::string& to) const
     {
@@ -102,8 +108,7 @@ TEST_F(AskQuestion, is_for_functions_of_units_with_pictures)
 {
     const Exercise frustum = bench.exercise("projections/fit-frustum");
     ASSERT_TRUE(frustum.gl);
-    const Built built = build(bench.tools(), frustum, reference_sources(bench.tools().reference, frustum));
-    const AskedQuestion asked = ask_question(worker, frustum, built, "fit_sphere(1, 4, PictureSize{200, 100})");
+    const AskedQuestion asked = ask_reference(frustum, "fit_sphere(1, 4, PictureSize{200, 100})");
     EXPECT_TRUE(asked.reference.given) << asked.refused << asked.reference.text;
     EXPECT_TRUE(asked.yours.given) << asked.yours.text;
 }
@@ -113,13 +118,11 @@ TEST_F(AskQuestion, is_for_functions_of_units_with_windows)
 {
     const Exercise region = bench.exercise("pipeline/visible-region");
     ASSERT_TRUE(region.glfw);
-    const Built built = build(bench.tools(), region, reference_sources(bench.tools().reference, region));
-    const AskedQuestion asked = ask_question(worker, region, built, "ndc_of(Box{{0, 0, 0}, {4, 2, 1}}, {1, 1, 0})");
+    const AskedQuestion asked = ask_reference(region, "ndc_of(Box{{0, 0, 0}, {4, 2, 1}}, {1, 1, 0})");
     EXPECT_TRUE(asked.reference.given) << asked.refused << asked.reference.text;
     EXPECT_EQ(asked.yours.text, asked.reference.text);
-    const Exercise callbacks = bench.exercise("interaction/callbacks");
-    const Built answering = build(bench.tools(), callbacks, reference_sources(bench.tools().reference, callbacks));
-    const AskedQuestion refused = ask_question(worker, callbacks, answering, "(install_callbacks(nullptr), 1)");
+    const AskedQuestion refused =
+        ask_reference(bench.exercise("interaction/callbacks"), "(install_callbacks(nullptr), 1)");
     EXPECT_NE(refused.refused.find("answers events"), std::string::npos) << refused.refused << refused.reference.text;
 }
 
@@ -128,9 +131,7 @@ TEST_F(AskQuestion, without_an_end_is_said_to_be_one)
 {
     Exercise frustum = bench.exercise("projections/fit-frustum");
     frustum.limits.wall_seconds = 1;
-    const Built built = build(bench.tools(), frustum, reference_sources(bench.tools().reference, frustum));
-    const AskedQuestion asked =
-        ask_question(worker, frustum, built, "[] { for (volatile int i = 0; i == 0;) {} }(), 1");
+    const AskedQuestion asked = ask_reference(frustum, "[] { for (volatile int i = 0; i == 0;) {} }(), 1");
     EXPECT_EQ(asked.refused, "");
     EXPECT_NE(asked.reference.text.find("a loop that never ends"), std::string::npos) << asked.reference.text;
 }

@@ -26,7 +26,6 @@ void BlockTrace::pass(std::uintptr_t address)
     const std::uintptr_t place = address - base_;
     if (questions_ == 0 || place >= most_places) return;
     if (++passed_ > most_blocks) return pass_too_late(static_cast<std::uint32_t>(place));
-    if (rows_.size() > most_rows * 2) return;
     if (place >= last_.size()) last_.resize(std::max<std::size_t>(place + 1, 2 * last_.size()), 0);
     if (last_[place] == questions_) return;
     last_[place] = questions_;
@@ -40,6 +39,7 @@ void BlockTrace::end_by_exception()
 
 void BlockTrace::add_row(std::uint32_t place)
 {
+    if (rows_.size() > most_rows * 2) return;
     rows_.push_back(questions_ - 1);
     rows_.push_back(place);
 }
