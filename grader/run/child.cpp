@@ -45,6 +45,7 @@ enum RunFile : int {
     texts_until_read,
     solution_until_loaded,
     driver_until_loaded,
+    used_until_loaded,
     first_closed
 };
 
@@ -53,6 +54,7 @@ struct Job {
     std::uint64_t stream = 0;  ///< what the case's random numbers follow from
     std::string driver;
     std::string solution;  ///< empty for a unit without C++
+    std::string used;      ///< a library whose functions the solution calls; empty for none
     std::uint64_t memory = 0;
     std::uint64_t cpu_seconds = 0;
     CostLimit costs;  ///< without a table all costs are worked on
@@ -79,6 +81,7 @@ Job read_job(int file)
             json.at("stream"),
             json.at("driver"),
             json.at("solution"),
+            json.at("used"),
             json.at("memory"),
             json.at("cpu_seconds"),
             {json.at("counted_table"), json.at("counted_sizes")},
@@ -218,16 +221,18 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
 
     const int driver = open_library(header, job.driver);
     const int solution = job.solution.empty() ? -1 : open_library(header, job.solution);
+    const int used = job.used.empty() ? -1 : open_library(header, job.used);
     const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
     dup2(nothing, 0);
     dup2(output, 1);
     dup2(output, 2);
-    number_files(std::array{run_socket, confined, packet.descriptors[3].get(), solution, driver},
+    number_files(std::array{run_socket, confined, packet.descriptors[3].get(), solution, driver, used},
                  socket_until_confined);
     close_range(first_closed, ~0U, 0);
     for (Descriptor& given : packet.descriptors) given.release();
     if (solution >= 0) emulated_calls::hand_out_once(job.solution.c_str(), solution_until_loaded);
     emulated_calls::hand_out_once(job.driver.c_str(), driver_until_loaded);
+    if (used >= 0) emulated_calls::hand_out_once(job.used.c_str(), used_until_loaded);
 
     last_words::listen(header);
     try {
@@ -257,6 +262,7 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
         last_words::set_library(header, solution_library);
         if (job.mutant != 0) choose_mutant(header, solution_library, job.mutant);
     }
+    if (!job.used.empty()) (void)load(header, job.used);
     void* driver_library = load(header, job.driver);
     const auto* cases = static_cast<const Driver*>(dlsym(driver_library, "_ZN6umbral6driverE"));
     if (cases == nullptr) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-/// What dlopen needs of the system calls that the sandbox refuses: opening this run's two libraries, and asking for the
+/// What dlopen needs of the system calls that the sandbox refuses: opening this run's libraries, and asking for the
 /// state of an open file. Neither call ever reaches the kernel with a path, so that no path, whether there is such a
 /// file or not, can be told from another.
 namespace umbral::grader::emulated_calls {

@@ -59,6 +59,7 @@ std::string job_text(const RunRequest& request)
         {"stream", request.stream},
         {"driver", request.driver.string()},
         {"solution", request.solution.string()},
+        {"used", request.used.string()},
         {"counted_table", request.costs.table},
         {"counted_sizes", request.costs.sizes},
         {"inquiry", to_json(request.inquiry)},
@@ -105,7 +106,7 @@ auto with_cause(Work work)
 /// The libraries of a run that are not there: our fault, not the student's.
 std::string missing_libraries(const RunRequest& request)
 {
-    for (const std::filesystem::path& library : {request.driver, request.solution})
+    for (const std::filesystem::path& library : {request.driver, request.solution, request.used})
         if (!library.empty() && access(library.c_str(), R_OK) != 0)
             return library.string() + " cannot be read; is the project built?";
     return "";

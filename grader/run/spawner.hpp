@@ -37,6 +37,8 @@ struct RunRequest {
     PassedOver passed_over{};                          ///< questions that the student's code is not asked
     FreshMemory fresh_memory = FreshMemory::nonsense;  ///< what memory holds that was never written
     unsigned mutant = 0;  ///< of a trusted library that holds mutants, the one to run; 0 for what all others are
+    /// A library with functions that the solution calls, where the driver has them not; absolute, or empty for none.
+    std::filesystem::path used{};
     std::vector<std::string> roots{};  ///< folders of this machine that no text of the run may show (run_text.hpp)
 };
 

@@ -123,7 +123,6 @@ std::string missing_beside(const Exercise& exercise)
 {
     if (exercise.glfw) return "this function answers events, and a question alone has none\n";
     if (exercise.gl) return "this function draws, and a question alone has nothing to draw on\n";
-    if (!exercise.uses.empty()) return "this function calls other units, which only the unit's own cases bring along\n";
     return "";
 }
 

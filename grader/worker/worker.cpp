@@ -221,6 +221,8 @@ RunOutcome Worker::answer_of(const Exercise& exercise, const std::filesystem::pa
     RunRequest wanted = request(exercise, asked_case, 0);
     wanted.driver = driver;
     wanted.solution = library;
+    // What the unit's own driver brings along of the units that it uses.
+    if (!exercise.uses.empty()) wanted.used = unit_folder(tools_, exercise.id) / "driver.so";
     wanted.roots.push_back(driver.parent_path().string());
     wanted.roots.push_back(library.parent_path().string());
     return run_now(exercise, wanted);

@@ -126,6 +126,21 @@ TEST_F(AskQuestion, is_for_functions_of_units_with_windows)
     EXPECT_NE(refused.refused.find("answers events"), std::string::npos) << refused.refused << refused.reference.text;
 }
 
+// What the student's code calls of other units is the reference's, as it is in the unit's own cases.
+TEST_F(AskQuestion, is_for_functions_that_call_other_units)
+{
+    const AskedQuestion rays = ask_reference(bench.exercise("raytracing/bounding-volumes"), R"(
+std::vector<Triangle> triangles{Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Triangle{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}};
+make_triangle_hierarchy(triangles)->first_hit(Ray{{0.25, 0.25, 3}, {0, 0, -1}, 0, INFINITY})->index)");
+    EXPECT_EQ(rays.refused, "");
+    EXPECT_EQ(rays.reference.text, "1") << rays.yours.text;
+    EXPECT_EQ(rays.yours.text, rays.reference.text);
+    // With a window as well.
+    const AskedQuestion eye =
+        ask_reference(bench.exercise("interaction/orbit-camera"), "make_orbit_camera({})->view()");
+    EXPECT_TRUE(eye.reference.given) << eye.refused << eye.reference.text;
+}
+
 // Of such a unit, a question that gets no answer from the reference draws, as a rule; a loop does not.
 TEST_F(AskQuestion, without_an_end_is_said_to_be_one)
 {
