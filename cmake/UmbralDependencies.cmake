@@ -8,6 +8,7 @@ find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(PNG REQUIRED)
+find_package(tinyobjloader REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 # Debian keeps OpenCV's CMake and pkg-config files in libopencv-dev, which pulls 700 MB; the three modules are found by
 # hand.

@@ -34,5 +34,7 @@ set(CPACK_DEBIAN_UMBRAL-INSTRUCTOR_DESCRIPTION "The answers to Umbral's exercise
  The sources of reference, drivers, known mistakes and other solutions, the
  sample class, and attacks that try this machine's sandbox.")
 set(CPACK_DEBIAN_UMBRAL-INSTRUCTOR_PACKAGE_DEPENDS "umbral (= ${PROJECT_VERSION})")
+# A mesh that one of the scenes names.
+set(CPACK_DEBIAN_UMBRAL-INSTRUCTOR_PACKAGE_RECOMMENDS "glmark2-data")
 
 include(CPack)

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <stdexcept>
 #include <umbral/meshes/normals.hpp>
 #include <unordered_map>
 
@@ -51,7 +52,14 @@ Surface make(const scene::Triangles& mesh)
         return {{mesh.positions, mesh.triangles},
                 {glm::vec2(0)},
                 std::vector<glm::uvec3>(mesh.triangles.size(), glm::uvec3(0))};
-    return {{mesh.positions, mesh.triangles}, mesh.uvs, mesh.triangles};
+    return {{mesh.positions, mesh.triangles}, mesh.uvs, mesh.uv_triangles.empty() ? mesh.triangles : mesh.uv_triangles};
+}
+
+Surface make(const scene::MeshFile& mesh)
+{
+    throw std::invalid_argument(mesh.file +
+                                " has not been read: scene::read_scene reads the files of meshes, and "
+                                "scene::parse_scene does not");
 }
 
 template <class Solid>

@@ -16,7 +16,8 @@ struct Surface {
     std::vector<glm::uvec3> uv_triangles;  ///< one for each of mesh.triangles
 };
 
-/// The surface that a scene asks for. Generated positions are computed in double and rounded once.
+/// The surface that a scene asks for. Generated positions are computed in double and rounded once. Throws
+/// std::invalid_argument for a file that has not been read (scene::MeshFile).
 [[nodiscard]] Surface make_surface(const scene::Shape& shape);
 
 /// What both renderers draw: a vertex is one position, one normal and one pair of texture coordinates.

@@ -15,7 +15,7 @@ inline constexpr std::size_t maximum_nesting = 16;           ///< of groups
 inline constexpr std::size_t maximum_profile = 4096;         ///< points of a revolution
 inline constexpr double maximum_seconds = 3600;              ///< of a film or a period
 inline constexpr int maximum_depth = 64;                     ///< of mirrors and glass; bounces likewise
-inline constexpr std::size_t maximum_vertices = 1'000'000;   ///< written out for one geometry; triangles likewise
+inline constexpr std::size_t maximum_vertices = 1'000'000;   ///< given for one geometry; triangles likewise
 inline constexpr int maximum_subdivisions = 1024;            ///< rings, sectors, rows or columns of a generated one
 inline constexpr int minimum_cells = 8;                      ///< along a side of a distance field's grid
 inline constexpr int maximum_cells = 256;                    ///< likewise
@@ -25,6 +25,8 @@ inline constexpr std::size_t maximum_triangles = std::size_t{1}
 inline constexpr int maximum_texture_size = 4096;
 inline constexpr std::size_t maximum_texels = std::size_t{1} << 25U;  ///< of all textures of a scene
 inline constexpr std::size_t maximum_name_length = 64;
+inline constexpr std::size_t maximum_path_length = 1000;
+inline constexpr std::size_t maximum_mesh_bytes = std::size_t{1} << 27U;  ///< of all files of a scene's meshes
 inline constexpr double maximum_coordinate = 1e6;
 inline constexpr double maximum_color = 1000;
 

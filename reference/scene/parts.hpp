@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace umbral::scene {
 /// A geometry's shape, generated or written out.
 [[nodiscard]] Shape parse_shape(const Field& field);
 
-/// How many triangles it has at most (some that are generated are left out at a sphere's poles).
+/// How many triangles it has at most (some that are generated are left out at a sphere's poles). A file that has not
+/// been read has none yet.
 [[nodiscard]] std::size_t triangle_count(const Shape& shape);
 
 /// Can it be textured? Only triangles that are written out may have no texture coordinates.
@@ -22,6 +24,11 @@ namespace umbral::scene {
     const auto* triangles = std::get_if<Triangles>(&geometry.shape);
     return triangles == nullptr || !triangles->uvs.empty();
 }
+
+/// Puts the triangles of its file in place of every MeshFile of `scene`. `geometries`: the scene's field of that name,
+/// whose places errors name; `folder`: where files are that have no absolute path. Throws std::runtime_error, as Field
+/// does, if a file is missing, too large, no mesh, or a mesh beyond the limits.
+void read_mesh_files(const Field& geometries, const std::filesystem::path& folder, Scene& scene);
 
 [[nodiscard]] Camera parse_camera(const Field& field);
 [[nodiscard]] Light parse_light(const Field& field);

@@ -94,7 +94,12 @@ Scene parse_scene(std::string_view text, const std::string& file) { return parse
 
 Scene read_scene(const std::filesystem::path& file)
 {
-    return parse(Field(read_json(file, maximum_file_bytes), file.string()));
+    const nlohmann::json json = read_json(file, maximum_file_bytes);
+    const Field root(json, file.string());
+    Scene scene = parse(root);
+    read_mesh_files(root.member("geometries"), file.parent_path(), scene);
+    refuse_too_much(root, scene);
+    return scene;
 }
 
 }

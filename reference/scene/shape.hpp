@@ -35,11 +35,24 @@ struct Wave {
     glm::vec2 waves{2};  ///< periods along u and v
 };
 
-/// A triangle mesh written out in the scene. Triangles may be degenerate; counter-clockwise is their front.
+/// A triangle mesh, written out in the scene or read from a file. Triangles may be degenerate; counter-clockwise is
+/// their front.
 struct Triangles {
     std::vector<glm::vec3> positions;
-    std::vector<glm::uvec3> triangles;  ///< every index is less than positions.size()
-    std::vector<glm::vec2> uvs;         ///< one for each position, or none
+    std::vector<glm::uvec3> triangles;     ///< every index is less than positions.size()
+    std::vector<glm::vec2> uvs;            ///< one for each position, or none; or what uv_triangles refer to
+    std::vector<glm::uvec3> uv_triangles;  ///< places in uvs, one triple for each triangle; empty: those of positions
+};
+
+/// A triangle mesh in a file of its own, as a scene names it. Reading a scene from a file puts Triangles in its place;
+/// until then it has no triangles, and cannot be drawn.
+///
+/// OBJ and PLY are told by the end of the name. Polygons become fans. Texture coordinates are the file's; where it has
+/// none, they are those of the unit sphere round the origin, in the same direction.
+struct MeshFile {
+    std::string file;     ///< ends in ".obj" or ".ply"; relative to the scene's file, or absolute
+    std::string package;  ///< of Debian, which the file comes with, for who misses it; empty: with none
+    bool fit = false;     ///< moved and scaled evenly: its middle is the origin, its longest side from -1 to 1
 };
 
 /// The cube from (-1, -1, -1) to (1, 1, 1), closed; each face shows the whole unit square of (u, v), upright on the
@@ -79,8 +92,7 @@ struct Teapot {
 
 /// Surfaces that are known by how far a place is from them; within the cube from -1 to 1.
 enum class FieldKind {
-    mandelbulb,  ///< the set of z -> z^8 + c in three dimensions by White and Nylander, thickened a little
-    hare         ///< a sitting hare of round parts that flow into each other; it looks along x, and sits on y = -0.95
+    mandelbulb  ///< the set of z -> z^8 + c in three dimensions by White and Nylander, thickened a little
 };
 
 /// The triangles of such a surface, closed, on a grid over the cube. (u, v) are those of the unit sphere round the
@@ -90,8 +102,8 @@ struct DistanceField {
     int cells = 96;  ///< of the grid, along each side
 };
 
-using Shape =
-    std::variant<Sphere, Torus, Plane, Wave, Triangles, Box, Cylinder, Cone, Disc, Revolution, Teapot, DistanceField>;
+using Shape = std::variant<Sphere, Torus, Plane, Wave, Triangles, Box, Cylinder, Cone, Disc, Revolution, Teapot,
+                           DistanceField, MeshFile>;
 
 struct Geometry {
     std::string name;

@@ -106,10 +106,33 @@ Shape parse_distance_field(const Field& field)
 {
     field.allow_only({"kind", "field", "cells"});
     DistanceField surface;
-    surface.field = static_cast<FieldKind>(field.member("field").one_of({"mandelbulb", "hare"}));
+    surface.field = static_cast<FieldKind>(field.member("field").one_of({"mandelbulb"}));
     if (const Field cells = field.member("cells"); cells.given())
         surface.cells = cells.integer(minimum_cells, maximum_cells);
     return surface;
+}
+
+/// As Debian's packages are called. Messages put the name into a command that people copy.
+bool is_package_name(const std::string& name)
+{
+    return name.size() > 1 && name.front() != '+' && name.front() != '-' && name.front() != '.' &&
+           name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789+-.") == std::string::npos;
+}
+
+Shape parse_mesh_file(const Field& field)
+{
+    field.allow_only({"kind", "file", "package", "fit"});
+    MeshFile mesh;
+    mesh.file = field.member("file").text(maximum_path_length);
+    if (mesh.file.size() < 5 || (!mesh.file.ends_with(".obj") && !mesh.file.ends_with(".ply")))
+        field.member("file").refuse("a file's name that ends in .obj or .ply");
+    if (const Field package = field.member("package"); package.given()) {
+        mesh.package = package.text(maximum_name_length);
+        if (!is_package_name(mesh.package))
+            package.refuse("a Debian package's name: two or more of a-z, 0-9, +, - and ., the first a letter or digit");
+    }
+    if (const Field fit = field.member("fit"); fit.given()) mesh.fit = fit.boolean();
+    return mesh;
 }
 
 }
@@ -117,12 +140,13 @@ Shape parse_distance_field(const Field& field)
 Shape parse_shape(const Field& field)
 {
     constexpr Shape (*parsers[])(const Field&) = {
-        parse_sphere,      parse_torus,      parse_plane,           parse_wave,
-        parse_triangles,   parse_box,        parse_round<Cylinder>, parse_round<Cone>,
-        parse_round<Disc>, parse_revolution, parse_teapot,          parse_distance_field};
+        parse_sphere, parse_torus,           parse_plane,       parse_wave,        parse_triangles,
+        parse_box,    parse_round<Cylinder>, parse_round<Cone>, parse_round<Disc>, parse_revolution,
+        parse_teapot, parse_distance_field,  parse_mesh_file};
     static_assert(std::size(parsers) == std::variant_size_v<Shape>);
     return parsers[field.member("kind").one_of({"sphere", "torus", "plane", "wave", "triangles", "box", "cylinder",
-                                                "cone", "disc", "revolution", "teapot", "distance-field"})](field);
+                                                "cone", "disc", "revolution", "teapot", "distance-field", "mesh"})](
+        field);
 }
 
 std::size_t triangle_count(const Shape& shape)
@@ -148,6 +172,7 @@ std::size_t triangle_count(const Shape& shape)
         {
             return field_triangles_per_cell * of(one.cells, one.cells);
         }
+        std::size_t operator()(const MeshFile&) const { return 0; }
     };
     return std::visit(Count{sheet}, shape);
 }

@@ -43,7 +43,8 @@ inline nlohmann::json document()
     "vase": {"kind": "revolution", "profile": [[0, 0], [1, 0], [1, 2]], "sectors": 8},
     "wheel": {"kind": "cylinder", "sectors": 8},
     "pot": {"kind": "teapot", "subdivisions": 3},
-    "statue": {"kind": "distance-field", "field": "hare", "cells": 16}
+    "scan": {"kind": "mesh", "file": "scan.ply", "package": "scan-data", "fit": true},
+    "statue": {"kind": "distance-field", "field": "mandelbulb", "cells": 16}
   },
   "groups": {
     "cart": [{"name": "left", "geometry": "wheel", "material": "dull",

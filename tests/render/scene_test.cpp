@@ -23,9 +23,9 @@ TEST(SceneFile, is_read_as_it_is_written)
     EXPECT_TRUE(scene.lights[1].positional);
     EXPECT_EQ(scene.lights[1].color, glm::vec3(1));
     ASSERT_EQ(scene.textures.size(), 4U);
-    ASSERT_EQ(scene.geometries.size(), 9U);
-    EXPECT_EQ(scene.geometries[6].name, "tri");
-    EXPECT_EQ(std::get<Triangles>(scene.geometries[6].shape).triangles[0], glm::uvec3(0, 1, 2));
+    ASSERT_EQ(scene.geometries.size(), 10U);
+    EXPECT_EQ(scene.geometries[7].name, "tri");
+    EXPECT_EQ(std::get<Triangles>(scene.geometries[7].shape).triangles[0], glm::uvec3(0, 1, 2));
     ASSERT_EQ(scene.instances.size(), 6U) << "two things, and the four wheels of a train";
     EXPECT_EQ(scene.geometries[scene.instances[0].geometry].name, "ball");
     EXPECT_EQ(scene.materials[scene.instances[1].material].name, "shiny");
@@ -70,7 +70,9 @@ TEST(SceneFile, is_refused_with_the_place_and_both_values)
         {"/materials/dull/bump", "oak", {"materials.dull", "\"bump\"", "\"bump_height\"", "together"}},
         {"/materials/shiny/bump", "bark", {"materials.shiny.bump", "\"oak\"", "\"bark\""}},
         {"/geometries/pot/subdivisions", 1, {"geometries.pot.subdivisions", "from 2 to 1024"}},
-        {"/geometries/statue/field", "horse", {"geometries.statue.field", "\"hare\"", "\"horse\""}},
+        {"/geometries/statue/field", "horse", {"geometries.statue.field", "\"mandelbulb\"", "\"horse\""}},
+        {"/geometries/scan/file", "scan.stl", {"geometries.scan.file", "ends in .obj or .ply", "\"scan.stl\""}},
+        {"/geometries/scan/package", "x; reboot", {"geometries.scan.package", "a Debian package's name"}},
         {"/geometries/statue/cells", 257, {"geometries.statue.cells", "from 8 to 256"}},
         {"/geometries/ball/rings", 1, {"geometries.ball.rings", "from 2 to 1024"}},
         {"/geometries/ball/tube", 0.2, {"geometries.ball.tube", "known are: kind, rings, sectors"}},

@@ -7,10 +7,9 @@ namespace umbral::render::fields {
 Distance field_of(scene::FieldKind kind)
 {
     switch (kind) {
-        case scene::FieldKind::mandelbulb: return mandelbulb;
-        case scene::FieldKind::hare: break;
+        case scene::FieldKind::mandelbulb: break;
     }
-    return hare;
+    return mandelbulb;
 }
 
 }

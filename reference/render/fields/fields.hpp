@@ -13,7 +13,7 @@ using Distance = std::function<double(const glm::dvec3&)>;
 
 /// The field of that name. Its surface lies within the cube from -1 to 1, without touching its sides.
 ///
-/// The hare keeps what Distance promises. The Mandelbulb's estimate does where it was measured, but is not proved.
+/// The Mandelbulb's estimate keeps what Distance promises where it was measured, but that is not proved.
 [[nodiscard]] Distance field_of(scene::FieldKind kind);
 
 }

@@ -9,7 +9,4 @@ namespace umbral::render::fields {
 /// D. J. Sandin, L. H. Kauffman. Ray Tracing Deterministic 3-D Fractals. SIGGRAPH 1989.
 [[nodiscard]] double mandelbulb(const glm::dvec3& place);
 
-/// Round cones that are joined smoothly.
-[[nodiscard]] double hare(const glm::dvec3& place);
-
 }
