@@ -75,7 +75,7 @@ std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, c
 std::optional<Explanation> first_fault(const std::vector<CaseChecks>& groups)
 {
     for (const CaseChecks& group : groups) {
-        if (!group.result->trouble().empty()) continue;
+        if (!group.result->cause().empty()) continue;
         for (const FailingCheck& one : group.checks) {
             const auto fault_of = judge_of(*one.check).fault;
             if (fault_of == nullptr || one.student == nullptr) continue;
@@ -104,7 +104,7 @@ std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, 
     // What crashed or was stopped has no result to explain.
     std::vector<FailingCheck> ran;
     for (const CaseChecks& group : groups)
-        if (group.result->trouble().empty())
+        if (group.result->cause().empty())
             std::ranges::copy_if(group.checks, std::back_inserter(ran),
                                  [](const FailingCheck& one) { return one.student != nullptr; });
     if (std::ranges::none_of(ran, &FailingCheck::fails)) return {};

@@ -91,7 +91,7 @@ FunctionParts parts_by_function(Worker& worker, const Exercise& exercise, std::s
 {
     FunctionParts parts;
     for (const CaseChecks& group : groups) {
-        if (!group.result->trouble().empty()) continue;
+        if (!group.result->cause().empty()) continue;
         const QuestionLog& log = worker.questions(exercise, group.name, group.result->seed);
         for (const FailingCheck& one : group.checks)
             if (has_single_rows(*one.check, one.student, one.expected))

@@ -12,7 +12,7 @@ std::vector<const Check*> checks_beside(const Exercise& exercise, const CaseResu
     for (const Check& other : exercise.checks) {
         const CaseResult& one = cases.at(other.case_name);
         if (other.case_name != check.case_name && !other.relation && !is_picture(other) && !one.hidden && !one.beside &&
-            one.reached && one.trouble().empty())
+            one.reached && one.cause().empty())
             others.push_back(&other);
     }
     std::ranges::stable_partition(others, [&](const Check* other) { return other->value == check.value; });

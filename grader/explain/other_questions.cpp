@@ -232,7 +232,7 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
     std::vector<WeighedQuestion> candidates;
     std::size_t tried = 0;
     for (const CaseChecks& group : asked) {
-        if (group.failing == 0 || !group.result->trouble().empty()) continue;
+        if (group.failing == 0 || !group.result->cause().empty()) continue;
         if (tried++ >= most_asked_cases && time.left() < for_numbers.seconds) continue;
         for (WeighedQuestion& candidate : fitting(worker, exercise, group, headers, time))
             if (std::ranges::find(candidates, candidate.question, &WeighedQuestion::question) == candidates.end())

@@ -26,7 +26,7 @@ std::optional<Wrong> first_wrong(Worker& worker, const Exercise& exercise, const
         CaseResult one;
         one.seed = practice_seed(exercise, check.case_name, place);
         one.student = run(one.seed);
-        if (!one.trouble().empty()) return std::nullopt;
+        if (!one.cause().empty()) return std::nullopt;
         const RunOutcome& expected = worker.trusted(exercise, judged_against(check), check.case_name, one.seed);
         CheckResult found = judge_check(check, one, expected, worker.basis(exercise, check, one.seed));
         if (found.score < check.points) return Wrong{std::move(one), std::move(found)};
@@ -78,7 +78,7 @@ CaseResults practice_pictures(Worker& worker, const Exercise& exercise, const Bu
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
         const CaseResult& one = cases.at(check.case_name);
-        if (!check.hidden || !is_picture(check) || result.checks[i].score >= check.points || !one.trouble().empty() ||
+        if (!check.hidden || !is_picture(check) || result.checks[i].score >= check.points || !one.cause().empty() ||
             found.contains(check.case_name) || !may_repeat(worker, exercise, one))
             continue;
         const auto run = [&](std::uint64_t seed) { return worker.run_again(exercise, built, check.case_name, seed); };

@@ -170,7 +170,7 @@ std::vector<WrongCase> wrong_cases(const Exercise& exercise, const CaseResults& 
     };
     std::vector<WrongCase> failing;
     for (const auto& ran : cases) {
-        if (!ran.second.trouble().empty()) continue;
+        if (!ran.second.cause().empty()) continue;
         WrongCase of_case{&ran, {}};
         for (std::size_t i = 0; i < exercise.checks.size(); ++i)
             if (exercise.checks[i].case_name == ran.first && fails(exercise.checks[i], result.checks[i]))

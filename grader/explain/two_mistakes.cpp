@@ -126,7 +126,7 @@ std::vector<MistakenCheck> mistaken_checks(Worker& worker, const Exercise& exerc
     std::vector<MistakenCheck> all;
     std::size_t cases = 0;
     for (const CaseChecks& group : groups) {
-        if (group.failing == 0 || !group.result->trouble().empty() || group.cells > most_cells ||
+        if (group.failing == 0 || !group.result->cause().empty() || group.cells > most_cells ||
             cases++ == most_cases_covered)
             continue;
         for (const FailingCheck& check : group.checks) {

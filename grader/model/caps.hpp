@@ -15,7 +15,6 @@ namespace caps {
 inline constexpr std::size_t message = std::size_t{8}
                                        << 10U;  ///< bytes of a text that says what happened: diagnostics, an exception
 inline constexpr std::size_t name = 256;        ///< bytes of one name: a function, a file, a system call
-inline constexpr std::size_t question = 1024;   ///< bytes of a call as code, within a sentence
 inline constexpr std::size_t symbol = 4096;     ///< bytes of a name as the linker knows it
 inline constexpr std::size_t listed = 12;       ///< entries of a list that is shown; the rest is counted
 inline constexpr std::size_t printed = std::size_t{16} << 10U;  ///< bytes that a unit's cases printed, together

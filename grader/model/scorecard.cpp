@@ -72,6 +72,7 @@ json check(const CheckResult& value, Detail detail)
                 {"metrics", object(value.metrics, [](double metric) { return number(metric); })},
                 {"first_difference", difference(value.first_difference)}};
     if (value.unjudged != Unjudged::no) result["unjudged"] = to_string(value.unjudged);
+    if (!value.last_question.empty()) result["last_question"] = text(value.last_question);
     if (value.simplest) result["simplest"] = difference(value.simplest);
     if (!value.common.empty()) result["common"] = text(value.common);
     if (value.common_tells != CommonTells::other) result["common_tells"] = to_string(value.common_tells);

@@ -50,6 +50,7 @@ struct CheckResult {
     std::string headline{};  ///< the message up to its values, for where these are shown anyway; or empty
     std::map<std::string, double> metrics;  ///< finite numbers only
     std::optional<Difference> first_difference;
+    std::string last_question{};  ///< in which the check's case crashed or did not end, as code; empty where it did not
     std::string common{};  ///< "wrong wherever …": what all questions with wrong answers share; empty if nothing does
     CommonTells common_tells = CommonTells::other;
     std::optional<CodePlace> code_place{};  ///< of a hidden check, with practice inputs

@@ -79,15 +79,15 @@ CodePlace code_place(const Field& field)
 
 CheckResult check(const Field& field)
 {
-    field.allow_only({"name",      "kind",         "hard",
-                      "hidden",    "unjudged",     "score",
-                      "max_score", "error",        "reference_error",
-                      "message",   "metrics",      "first_difference",
-                      "common",    "common_tells", "held_back",
-                      "beside",    "simplest",     "about",
-                      "headline",  "sketch",       "artefacts",
-                      "seeds",     "practice",     "practice_example",
-                      "code_place"});
+    field.allow_only({"name",       "kind",         "hard",
+                      "hidden",     "unjudged",     "score",
+                      "max_score",  "error",        "reference_error",
+                      "message",    "metrics",      "first_difference",
+                      "common",     "common_tells", "held_back",
+                      "beside",     "simplest",     "about",
+                      "headline",   "sketch",       "artefacts",
+                      "seeds",      "practice",     "practice_example",
+                      "code_place", "last_question"});
     CheckResult result;
     result.name = text(field.member("name"));
     result.kind = kind(field.member("kind"));
@@ -103,6 +103,7 @@ CheckResult check(const Field& field)
     const Field metrics = field.member("metrics");
     for (const std::string& name : metrics.names()) result.metrics[name] = number_or_nan(metrics.member(name));
     result.first_difference = difference(field.member("first_difference"));
+    if (const Field last = field.member("last_question"); last.given()) result.last_question = text(last);
     if (const Field simplest = field.member("simplest"); simplest.given()) result.simplest = difference(simplest);
     if (const Field common = field.member("common"); common.given()) result.common = text(common);
     if (const Field tells = field.member("common_tells"); tells.given())

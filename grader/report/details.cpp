@@ -91,6 +91,20 @@ void add_other_question(Block& block, std::string_view label, const Difference& 
     block.labelled("", side_by_side(wrong, block.room(), paint));
 }
 
+/// The shortest question in which a visible case crashed or did not end.
+void add_last_question(Block& block, const UnitResult& unit, const CheckResult* shown, const Paint& paint)
+{
+    const CheckResult* told = nullptr;
+    for (const CheckResult& check : unit.checks) {
+        if (check.hidden || check.last_question.empty()) continue;
+        if (told == nullptr || check.last_question.size() < told->last_question.size()) told = &check;
+    }
+    if (told == nullptr) return;
+    if (shown != nullptr && shown->last_question == told->last_question) told = shown;
+    block.labelled("ended in", code_lines(told->last_question, block.room(), paint));
+    if (told != shown) block.sentence("", fmt::format("(of {})", told->name));
+}
+
 /// Does the check's message say at length what stands below it: matrices that are drawn, or long events?
 bool repeats_first(const CheckResult& check)
 {
@@ -259,6 +273,7 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint, 
         fmt::format("\n  {} {}  {}", paint.mark(verdict), paint(Tone::strong, id), paint(tone_of(verdict), words));
     const bool ran = !never_ran(unit.verdict);
     block.labelled(ran ? "note" : "", excerpt(unit.message, block.room(), paint));
+    if (ran) add_last_question(block, unit, shown, paint);
     if (ran && shown != nullptr) add_first_failing(block, *shown, unit.message, !main_reasons(unit).empty(), paint);
     if (shown == nullptr && hidden_fails)
         block.sentence(

@@ -12,7 +12,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <umbral/core/not_implemented_count.hpp>
 #include <umbral/core/student_error.hpp>
 #include <umbral/record/block_trace.hpp>
@@ -28,6 +27,7 @@
 #include "run/emulated_calls.hpp"
 #include "run/fresh_memory.hpp"
 #include "run/inquiry_json.hpp"
+#include "run/job.hpp"
 #include "run/last_words.hpp"
 #include "run/protocol.hpp"
 #include "run/source_frame.hpp"
@@ -49,22 +49,6 @@ enum RunFile : int {
     first_closed
 };
 
-struct Job {
-    std::string case_name;
-    std::uint64_t stream = 0;  ///< what the case's random numbers follow from
-    std::string driver;
-    std::string solution;  ///< empty for a unit without C++
-    std::string used;      ///< a library whose functions the solution calls; empty for none
-    std::uint64_t memory = 0;
-    std::uint64_t cpu_seconds = 0;
-    CostLimit costs;  ///< without a table all costs are worked on
-    Inquiry inquiry;
-    PassedOver passed_over;
-    std::optional<std::uint64_t> beside;  ///< as `stream`, of a case that runs beside this one
-    unsigned mutant = 0;                  ///< of a library that holds mutants, which only trusted ones do; 0 for none
-    FreshMemory fresh_memory = FreshMemory::nonsense;  ///< what memory holds that was never written
-};
-
 std::string content_of(int file)
 {
     struct stat status {};
@@ -72,24 +56,6 @@ std::string content_of(int file)
     std::string text(static_cast<std::size_t>(status.st_size), '\0');
     text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, pread(file, text.data(), text.size(), 0))));
     return text;
-}
-
-Job read_job(int file)
-{
-    const nlohmann::json json = nlohmann::json::parse(content_of(file));
-    return {json.at("case"),
-            json.at("stream"),
-            json.at("driver"),
-            json.at("solution"),
-            json.at("used"),
-            json.at("memory"),
-            json.at("cpu_seconds"),
-            {json.at("counted_table"), json.at("counted_sizes")},
-            inquiry_from_json(json.at("inquiry")),
-            {json.at("passed_over"), json.at("passed_over_functions"), json.at("end"), json.at("asked_only")},
-            json.at("beside").is_null() ? std::nullopt : std::optional<std::uint64_t>(json.at("beside")),
-            json.at("mutant"),
-            static_cast<FreshMemory>(json.at("fresh_memory").get<int>())};
 }
 
 /// Opens a library of the run. A file that is not there any more ends the run before any foreign code: a fault of ours.
@@ -217,7 +183,7 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     if (memory == MAP_FAILED) _exit(exit_no_job);
     auto& header = *static_cast<wire::Header*>(memory);
     header.magic = wire::magic;
-    const Job job = read_job(packet.descriptors[2].get());
+    const Job job = job_from(content_of(packet.descriptors[2].get()));
 
     const int driver = open_library(header, job.driver);
     const int solution = job.solution.empty() ? -1 : open_library(header, job.solution);

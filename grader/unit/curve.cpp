@@ -105,7 +105,7 @@ std::optional<UnitCurve> curve_of(Worker& worker, const Exercise& exercise, cons
     const auto place = std::ranges::find(exercise.checks, knob.check, &Check::name) - exercise.checks.begin();
     const Check& check = exercise.checks[static_cast<std::size_t>(place)];
     const CaseResult& timed = cases.at(knob.case_name);
-    if (!cases.at(check.case_name).trouble().empty() || !timed.trouble().empty()) return std::nullopt;
+    if (!cases.at(check.case_name).cause().empty() || !timed.cause().empty()) return std::nullopt;
     const std::optional<double> error = error_on_curve(result.checks[static_cast<std::size_t>(place)].metrics);
     UnitCurve curve{knob.name, knob.check, knob.case_name, describe(check).unit, {}, {}};
     curve.yours = {"", error.value_or(-1), timed.student.cpu_seconds};

@@ -108,7 +108,7 @@ void add_evidence(Worker& worker, const Exercise& exercise, const CaseResults& c
             }
         if (is_picture(check) && pictures == most_pictures) continue;
         const bool of_interest = !right || (is_picture(check) && !one_shown && result.verdict == Verdict::ok);
-        if (!of_interest || (check.hidden && !options.show_hidden) || !one.trouble().empty()) continue;
+        if (!of_interest || (check.hidden && !options.show_hidden) || !one.cause().empty()) continue;
         Evidence evidence = seen_in(worker, exercise, check, one, result.checks[i].sketch, right);
         if (is_picture(check)) ++pictures;
         one_shown = one_shown || (right && !std::holds_alternative<std::monostate>(evidence));

@@ -41,7 +41,7 @@ void save_pictures(Worker& worker, const Exercise& exercise, const CaseResults& 
         const CaseResults& runs = check.hidden ? practice : cases;
         const auto found = runs.find(check.case_name);
         const bool failing = result.checks[i].score < check.points;
-        if (!is_picture(check) || found == runs.end() || !found->second.trouble().empty() ||
+        if (!is_picture(check) || found == runs.end() || !found->second.cause().empty() ||
             (!failing && (one_saved || check.hidden || result.verdict != Verdict::ok)))
             continue;
         try {

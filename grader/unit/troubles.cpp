@@ -12,13 +12,6 @@
 namespace umbral::grader {
 namespace {
 
-/// All cases that one cause stopped, and the shortest question in which it did.
-struct Trouble {
-    std::vector<std::string> cases;
-    std::string asked;
-    std::string asked_in;
-};
-
 /// Empty if nothing was wrong.
 std::string cause_of(const CaseResult& one)
 {
@@ -31,32 +24,15 @@ std::string cause_of(const CaseResult& one)
     return one.hidden ? "the sandbox refused calls" : "the sandbox refused " + listed(one.student.refused);
 }
 
-std::string line_of(const std::string& cause, const Trouble& trouble)
-{
-    std::string line = fmt::format("{}: {}", fmt::join(trouble.cases, ", "), cause);
-    if (trouble.asked.empty()) return line;
-    line += "; asked " + trouble.asked;
-    if (trouble.cases.size() > 1) line += fmt::format(" (in {})", trouble.asked_in);
-    return line;
-}
-
 }
 
 std::string troubles(const CaseResults& cases)
 {
-    std::map<std::string, Trouble> by_cause;
-    for (const auto& [name, one] : cases) {
-        std::string cause = cause_of(one);
-        if (cause.empty()) continue;
-        Trouble& trouble = by_cause[std::move(cause)];
-        trouble.cases.push_back(name);
-        const std::string asked = one.hidden ? "" : one.question_of_end();
-        if (asked.empty() || (!trouble.asked.empty() && trouble.asked.size() <= asked.size())) continue;
-        trouble.asked = asked;
-        trouble.asked_in = name;
-    }
+    std::map<std::string, std::vector<std::string>> by_cause;
+    for (const auto& [name, one] : cases)
+        if (std::string cause = cause_of(one); !cause.empty()) by_cause[std::move(cause)].push_back(name);
     std::string lines;
-    for (const auto& [cause, trouble] : by_cause) lines += line_of(cause, trouble) + '\n';
+    for (const auto& [cause, names] : by_cause) lines += fmt::format("{}: {}\n", fmt::join(names, ", "), cause);
     return printable(lines, caps::message);
 }
 

@@ -7,7 +7,7 @@
 namespace umbral::grader {
 
 /// What kept cases from being judged, or was refused on the way, as the student may read it: a line for each cause,
-/// with all cases that it stopped and the shortest question in which it did. Of hidden cases, only the kind of trouble
+/// with all cases that it stopped. Of hidden cases, only the kind of trouble
 /// is told: whatever their runs said or chose may hold their inputs.
 [[nodiscard]] std::string troubles(const CaseResults& cases);
 

@@ -121,14 +121,6 @@ std::string CaseResult::cause() const
     return text;
 }
 
-std::string CaseResult::question_of_end() const { return asked.empty() ? "" : one_line(asked, caps::question); }
-
-std::string CaseResult::trouble() const
-{
-    const std::string question = question_of_end();
-    return cause() + (question.empty() ? "" : "; asked " + question);
-}
-
 std::vector<std::string> values_of(const Check& check)
 {
     std::vector<std::string> values{check.value};
@@ -139,7 +131,7 @@ std::vector<std::string> values_of(const Check& check)
 
 std::string kept_from_judging(const Check& check, const CaseResult& one, const RunOutcome& expected)
 {
-    if (std::string trouble = one.trouble(); !trouble.empty()) return trouble;
+    if (std::string cause = one.cause(); !cause.empty()) return cause;
     for (const std::string& value : values_of(check))
         if (std::string many = too_many(value, one.student, expected); !many.empty()) return many;
     return observed(check, one.student) == nullptr ? "nothing was recorded: the run was disturbed" : "";
@@ -221,6 +213,7 @@ CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutc
     const auto [expected, margin, names] = expected_of(check, expected_run);
     result.reference_error = basis.reference_error;
     result.message = kept_from_judging(check, one, expected_run);
+    result.last_question = one.asked;
     if (!result.message.empty()) {
         const auto answers = answers_past_crashes(check, one, *expected);
         const bool answered = answers && answers->lost.size() < expected->rows;

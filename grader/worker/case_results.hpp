@@ -33,10 +33,6 @@ struct CaseResult {
     }
     /// What kept the case from being judged, in words; empty if nothing did.
     [[nodiscard]] std::string cause() const;
-    /// The question in which the run ended, in a line; empty if it is not known.
-    [[nodiscard]] std::string question_of_end() const;
-    /// Both.
-    [[nodiscard]] std::string trouble() const;
 };
 using CaseResults = std::map<std::string, CaseResult>;
 

@@ -66,7 +66,7 @@ private:
             const RunOutcome& run = worker_.trusted(exercise_, judged_against(check), check.case_name, one.seed);
             const auto [expected, margin, names] = expected_of(check, run);
             const Tensor* yours = observed(check, one.student);
-            const bool right = one.trouble().empty() && yours != nullptr && expected != nullptr &&
+            const bool right = one.cause().empty() && yours != nullptr && expected != nullptr &&
                                !shape_error(check, *yours, *expected) &&
                                fraction_right(check, *yours, *expected, margin) >= check.full;
             result.checks.push_back(blank_result(check));

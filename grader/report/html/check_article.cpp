@@ -55,6 +55,15 @@ Markup question(const CheckResult& check)
                   check.first_difference->where, check.first_difference->question);
 }
 
+/// Where the case crashed, or did not end.
+Markup last_question(const CheckResult& check)
+{
+    if (check.last_question.empty()) return {};
+    return markup(
+        "<p class=\"question\">Its case ended in this question:</p>\n<pre class=\"question\"><code>{}</code></pre>\n",
+        check.last_question);
+}
+
 /// Where lists and files in the question stand with all their elements.
 Markup question_in_full(const CheckResult& check)
 {
@@ -140,6 +149,7 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
     result += "</p></header>\n";
     if (!check.about.empty()) result += markup("<p class=\"about\"><span>Looks at:</span> {}</p>\n", check.about);
     if (!check.message.empty()) result += markup("<p class=\"message\">{}</p>\n", shown_message(check, detail));
+    result += last_question(check);
     if (!check.common.empty()) result += markup("<p class=\"common\">{}</p>\n", sentence(check.common));
     if (!check.practice.empty())
         result += markup("<p class=\"common\">{}</p>\n", sentence("on practice inputs: " + check.practice));
