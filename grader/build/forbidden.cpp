@@ -32,6 +32,15 @@ bool is_of_glm(std::string_view header) { return header.starts_with("glm/"); }
 /// told to: where any of GLM's functions is forbidden, these are.
 bool is_underneath(std::string_view header) { return header.starts_with("glm/simd/"); }
 
+/// "glm::reflect" of "glm::detail::compute_reflect::call", which does its work; else the name itself.
+std::string public_name(const std::string& name)
+{
+    constexpr std::string_view begin = "glm::detail::compute_";
+    constexpr std::string_view end = "::call";
+    if (!name.starts_with(begin) || !name.ends_with(end) || name.size() <= begin.size() + end.size()) return name;
+    return "glm::" + name.substr(begin.size(), name.size() - begin.size() - end.size());
+}
+
 bool is_about_glm(std::string_view entry) { return entry.starts_with("glm::") || forbidden_family(entry) != nullptr; }
 
 std::string sentence(std::string_view name, const ForbiddenFamily* family)
@@ -87,8 +96,8 @@ std::optional<std::string> find_forbidden(const Inspection& inspection, const st
         if (of_glm && (!name.starts_with("glm::") || last_part(name) != bare)) name = "glm::" + bare;
         for (const std::string& entry : forbid) {
             const ForbiddenFamily* family = forbidden_family(entry);
-            if (family == nullptr &&
-                (matches_pattern(name, entry) || (of_glm && matches_pattern(bare, last_part(entry)))))
+            if (family == nullptr && (matches_pattern(name, entry) || matches_pattern(public_name(name), entry) ||
+                                      (of_glm && matches_pattern(bare, last_part(entry)))))
                 return sentence(name, nullptr);
             if (family == nullptr || matches_any(name, family->except) || !matches_any(header, family->headers))
                 continue;

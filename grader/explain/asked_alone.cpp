@@ -35,8 +35,7 @@ RowNumbers answered_rows(const Check& check, const RunOutcome& run, const Tensor
 
 /// The rows that a run recorded for its only question beside those that the question has where all is asked. They stand
 /// elsewhere: who is not asked for a list gives none, and what stands behind it moves up.
-bool is_answer_right(const Check& check, const RunOutcome& run, const Expected& expected, const RowNumbers& places,
-                     std::size_t row)
+bool is_answer_right(const Check& check, const RunOutcome& run, const Expected& expected, const RowNumbers& places)
 {
     const Tensor* recorded = tensor_of(run, check.value);
     const Tensor& right = *expected.value;
@@ -55,11 +54,9 @@ bool is_answer_right(const Check& check, const RunOutcome& run, const Expected& 
     alone.pairs = false;
     if (judge_of(check).free_rows) return judge(alone, yours, wanted, has_margin ? &margin : nullptr).right >= 1;
     const Expected side{&wanted, has_margin ? &margin : nullptr, expected.names};
-    const auto place = std::ranges::find(places, row);
-    if (answered.size() != places.size() || place == places.end() || !has_single_rows(alone, &yours, &wanted))
-        return false;
-    const std::vector<RowState> states = single_rows(alone, yours, side);
-    return states[static_cast<std::size_t>(place - places.begin())] == RowState::right;
+    if (answered.size() != places.size() || !has_single_rows(alone, &yours, &wanted)) return false;
+    return std::ranges::none_of(single_rows(alone, yours, side),
+                                [](RowState state) { return state == RowState::wrong; });
 }
 
 }
@@ -68,7 +65,7 @@ bool is_row_right(const Check& check, const RunOutcome& run, const Expected& exp
 {
     if (run.verdict != Verdict::ok || expected.value == nullptr) return false;
     if (const RowNumbers places = rows_of(asked.log, check.value, asked.question); !places.empty())
-        return is_answer_right(check, run, expected, places, asked.row);
+        return is_answer_right(check, run, expected, places);
     CaseResult alone;
     alone.past = run;
     const auto answers = answers_past_crashes(check, alone, *expected.value);
@@ -83,8 +80,12 @@ bool is_right_alone(Worker& worker, const Exercise& exercise, const Built& built
     const RunOutcome alone =
         worker.run_past(exercise, built, check.case_name, one.seed, only(question), exercise.limits.wall_seconds);
     const RunOutcome& whole = worker.trusted(exercise, judged_against(check), check.case_name, one.seed);
-    const QuestionLog& log = worker.questions(exercise, check.case_name, one.seed);
-    return is_row_right(check, alone, expected_of(check, whole), {log, question, row});
+    const AskedRow asked{worker.questions(exercise, check.case_name, one.seed), question, row};
+    if (!is_row_right(check, alone, expected_of(check, whole), asked)) return false;
+    // A question whose arguments follow from answers before it is another one without these.
+    const RunOutcome right =
+        worker.trusted_past(exercise, judged_against(check), check.case_name, one.seed, only(question));
+    return is_row_right(check, right, expected_of(check, whole), asked);
 }
 
 }

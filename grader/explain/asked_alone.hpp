@@ -38,7 +38,8 @@ struct AskedRow {
     std::size_t row = 0;
 };
 
-/// Is a row of a check right in a run that asked only the question behind it, of a case which `expected` asked whole?
+/// Is a row of a check right in a run that asked only the question behind it, of a case which `expected` asked whole,
+/// and each other row of that question as well?
 [[nodiscard]] bool is_row_right(const Check& check, const RunOutcome& run, const Expected& expected,
                                 const AskedRow& asked);
 
@@ -46,7 +47,8 @@ struct AskedRow {
 [[nodiscard]] inline PassedOver only(std::uint32_t question) { return {.end = question + 1, .only = question}; }
 
 /// Is a row of a check, which a student's code gets wrong, right if its question is the only one of the case that is
-/// asked? Questions to objects that earlier ones made cannot be asked so: no. One run of the case.
+/// asked? Questions to objects that earlier ones made, or with arguments that follow from earlier answers, cannot be
+/// asked so: no. A run of the case, and another of the trusted solution's.
 [[nodiscard]] bool is_right_alone(Worker& worker, const Exercise& exercise, const Built& built, const Check& check,
                                   const CaseResult& one, std::uint32_t question, std::size_t row);
 

@@ -77,6 +77,24 @@ void add_rows_of(const QuestionLog& log, const std::string& value, std::size_t r
         if (const auto question = log.question_of(value, row, rows)) (found[*question].*whose).push_back(row);
 }
 
+/// Questions to the same functions that led to no row of any table: nothing was to be found, and nothing was.
+void add_without_rows(const QuestionLog& log, const QuestionLog& told, RowsOfQuestions& found)
+{
+    std::set<std::uint32_t> with_rows;
+    for (const QuestionLog* const one : {&log, &told})
+        for (const auto& [value, questions] : one->rows)
+            for (const std::uint32_t question : questions)
+                if (question > 0) with_rows.insert(question - 1);
+    std::vector<std::uint32_t> without;
+    for (const QuestionKind& kind : log.kinds) {
+        const auto is_of_kind = [&](const auto& one) { return kind.questions.contains(one.first); };
+        if (std::ranges::none_of(found, is_of_kind)) continue;
+        for (const auto& [question, features] : kind.questions)
+            if (!with_rows.contains(question)) without.push_back(question);
+    }
+    for (const std::uint32_t question : without) found.try_emplace(question);
+}
+
 bool is_right(const Check& check, const Tensor& yours, const Tensor& right, const Tensor* margin)
 {
     if (yours.rows == 0 || right.rows == 0) return yours.rows == right.rows;
@@ -127,7 +145,9 @@ void add_groups(const AskedCheck& asked, const QuestionLog& log, const Expected&
     if (!well_formed(*student) || !well_formed(right) || row_shape_error(*student, right)) return;
     RowsOfQuestions all;
     add_rows_of(log, value, right.rows, &RowsOfQuestion::expected, all);
-    add_rows_of(read_questions(told.recording.tensors), value, student->rows, &RowsOfQuestion::yours, all);
+    const QuestionLog told_by_student = read_questions(told.recording.tensors);
+    add_rows_of(told_by_student, value, student->rows, &RowsOfQuestion::yours, all);
+    add_without_rows(log, told_by_student, all);
     Check check = asked.check;
     check.pairs = false;
     const bool has_margin = expected.margin != nullptr && expected.margin->rows == right.rows &&

@@ -176,6 +176,9 @@ AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t 
     const auto most = std::ranges::max_element(by_kind, {}, [](const auto& one) { return one.second.size(); });
     if (most == by_kind.end()) return result;
     auto& [kind, some] = *most;
+    for (const auto& [other, of_other] : by_kind)
+        for (const AskedAnswer* const one : of_other)
+            if (other != kind && one->answer.wrong) result.others_wrong.push_back(one->answer);
     if (kind != nullptr && but != nullptr)
         std::erase_if(some, [&kind = kind, but](const AskedAnswer* one) {
             return but->questions.contains(kind->questions.at(one->question));
@@ -208,6 +211,7 @@ bool add(AskedSample& sample, const AskedSample& other)
         are_alike(sample.by_question.facts, other.by_question.facts);
     if (!alike) return false;
     std::ranges::copy(other.answers.answers, std::back_inserter(sample.answers.answers));
+    std::ranges::copy(other.others_wrong, std::back_inserter(sample.others_wrong));
     sample.questions.insert(other.questions.begin(), other.questions.end());
     add_facts(sample.answers.facts, other.answers.facts);
     add_told(sample.by_answer, other.by_answer);

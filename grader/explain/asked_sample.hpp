@@ -37,6 +37,7 @@ struct AskedSample {
     /// Where a question has several answers, else empty: each question once, wrong if one of its answers is. Of the
     /// right answers it holds only whether there is one.
     ToldSample by_question{};
+    std::vector<AnswerPair> others_wrong{};  ///< the wrong answers whose questions are of other kinds
 };
 
 /// The answers with the inputs of a seed, but for those to questions that `but` holds. The student's code may be run

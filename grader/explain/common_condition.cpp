@@ -200,11 +200,23 @@ void keep_shared(OtherCases& others, const AskedSample& here, std::vector<Answer
     if (tried == 0) std::erase_if(patterns, [](const AnswerPattern& one) { return one.tells == CommonTells::side; });
 }
 
+/// Keeps the patterns that the wrong answers to questions of other kinds have as well, which nothing is told of.
+void keep_of_all_kinds(const AskedSample& seen, std::vector<AnswerPattern>& patterns)
+{
+    if (seen.others_wrong.empty()) return;
+    AnswerTable all = seen.answers;
+    all.facts.clear();
+    std::ranges::copy(seen.others_wrong, std::back_inserter(all.answers));
+    const std::vector<AnswerPattern> of_all = answer_patterns(all);
+    std::erase_if(patterns, [&](const AnswerPattern& one) { return std::ranges::find(of_all, one) == of_all.end(); });
+}
+
 /// What all wrong answers share, if it is so with fresh inputs too, so many that a chance would have shown, and in
 /// other cases.
 AnswerPattern common_answer(OtherCases& others, Samples& samples)
 {
     std::vector<AnswerPattern> patterns = answer_patterns(samples.seen().answers);
+    keep_of_all_kinds(samples.seen(), patterns);
     std::size_t wrong = wrong_in(samples.seen().answers);
     const bool fixed = !patterns.empty() && samples.is_fixed();
     std::optional<AskedSample> pending;

@@ -113,7 +113,15 @@ bool look_at(const Search& search, const Grain& grain, Simplest& simplest)
     // What is wrong only after other questions shows nothing.
     const RunOutcome alone =
         worker.run_coarse(exercise, built, check.case_name, seed, grain, expected, only(best.question));
-    if (!is_row_right(check, alone, side, {log, best.question, best.row})) simplest.offer(best);
+    const AskedRow asked{log, best.question, best.row};
+    if (is_row_right(check, alone, side, asked)) return true;
+    // Nor does a line of a script that needs the ones before it, as whether nothing is left at the end.
+    if (log.kind_of(best.question) == nullptr) {
+        const RunOutcome right =
+            worker.trusted_past(exercise, judged_against(check), check.case_name, seed, only(best.question), grain);
+        if (!is_row_right(check, right, side, asked)) return true;
+    }
+    simplest.offer(best);
     return true;
 }
 

@@ -56,15 +56,20 @@ std::string without_parentheses(std::string text)
     return text;
 }
 
-/// Does `name` stand in the line's name, where one of `ends` or nothing follows?
-bool names(const std::string& line, std::string_view name, std::string_view ends)
+/// Where `name` ends in the line's name, if one of `ends` or nothing follows; npos if it does not stand there.
+std::size_t end_of_name(const std::string& line, std::string_view name, std::string_view ends)
 {
     for (std::size_t at = 0; (at = line.find(name, at)) != std::string::npos; ++at) {
         const std::size_t end = at + name.size();
         const bool begins = at == 0 || line[at - 1] == ' ';
-        if (begins && (end == line.size() || ends.find(line[end]) != std::string_view::npos)) return true;
+        if (begins && (end == line.size() || ends.find(line[end]) != std::string_view::npos)) return end;
     }
-    return false;
+    return std::string::npos;
+}
+
+bool names(const std::string& line, std::string_view name, std::string_view ends)
+{
+    return end_of_name(line, name, ends) != std::string::npos;
 }
 
 /// "known, random boxes" names the cases "known boxes" and "random boxes": are all of several words there?
@@ -92,7 +97,9 @@ std::vector<StatementLine> statement_lines(std::string_view statement)
         const std::vector<std::string> cells = cells_of(line);
         if (cells.size() < 2) continue;
         std::string text = without_links(cells.back());
-        if (text.starts_with("the same") && !lines.empty()) text = lines.back().text + "; " + text;
+        if (!lines.empty() && text == "likewise") text = lines.back().text;
+        if (!lines.empty() && (text.starts_with("the same") || text.starts_with("likewise")))
+            text = lines.back().text + "; " + text;
         lines.push_back({without_parentheses(cells.front()), std::move(text)});
     }
     return lines;
@@ -104,8 +111,18 @@ std::string statement_says(const std::vector<StatementLine>& lines, std::string_
     const std::array exact{name, name + "/" + std::string(value), name + ": " + std::string(value)};
     for (const StatementLine& line : lines)
         if (std::ranges::find(exact, line.name) != exact.end()) return line.text;
+    // "frames: end, alive" is about two values of a case, and another line about others.
+    constexpr std::string_view before_values = ":/";
+    constexpr std::string_view after_one = ",;:/ ";
+    std::size_t in_parts = 0;
+    for (const StatementLine& line : lines) {
+        const std::size_t end = end_of_name(line.name, name, before_values);
+        if (end >= line.name.size()) continue;
+        ++in_parts;
+        if (names(line.name.substr(end + 1), value, after_one)) return line.text;
+    }
     for (const StatementLine& line : lines)
-        if (names(line.name, name, ",;:/")) return line.text;
+        if (names(line.name, name, in_parts > 1 ? ",;" : ",;:/")) return line.text;
     for (const StatementLine& line : lines)
         if (names_words(line.name, name)) return line.text;
     return "";

@@ -43,7 +43,12 @@ const std::vector<ForbiddenFamily>& forbidden_families()
           "glm/gtx/rotate_vector.*", "glm/gtx/matrix_interpolation.*", "glm/gtx/dual_quaternion.*"},
          {},
          {"glm::conjugate", "glm::inverse", "glm::lerp", "glm::isnan", "glm::isinf", "glm::rotate*", "glm::cross",
-          "glm::to*", "glm::quat*", "glm::length*", "glm::extractRealComponent"}}};
+          "glm::to*", "glm::quat*", "glm::length*", "glm::extractRealComponent"}},
+        {"@color-encoding",
+         "encodes and decodes colours",
+         {"glm/gtc/color_space.*", "glm/gtx/color_encoding.*", "glm/gtx/color_space.*"},
+         {},
+         {}}};
     return families;
 }
 

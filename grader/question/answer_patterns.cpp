@@ -186,7 +186,7 @@ void add_side(const AnswerTable& table, const Pairs& wrong, const std::vector<st
         found.push_back({fmt::format("is {} in each number that differs", *side), CommonTells::side});
 }
 
-/// "differs in all but y", of three numbers or more that have names, where y is not the same everywhere.
+/// "differs in other numbers than y", of three numbers or more that have names, where y is not the same everywhere.
 std::string all_but_one(const AnswerTable& table, const Pairs& wrong, const std::vector<std::size_t>& which,
                         const std::vector<std::string>& columns)
 {
@@ -198,7 +198,7 @@ std::string all_but_one(const AnswerTable& table, const Pairs& wrong, const std:
     if (right == table.components || which.front() < table.keys) return {};
     const NumberPairs same = numbers_in(wrong, table.components, {right});
     if (std::set(same.right.begin(), same.right.end()).size() < least_values) return {};
-    return "differs in all but " + columns[right];
+    return "differs in other numbers than " + columns[right];
 }
 
 /// What is so of the numbers of an answer, the most telling first.

@@ -181,6 +181,14 @@ std::optional<std::vector<double>> factors_of(const WrongVectors& vectors)
     return factors;
 }
 
+/// Are the numbers x, y and z of something, or have they no names at all? Counts and states have no direction.
+bool are_coordinates(const std::vector<std::string>& names)
+{
+    return std::ranges::all_of(names, [](const std::string& name) {
+        return name.size() <= 1 || name[name.size() - 2] == '.' || name.ends_with(']');
+    });
+}
+
 std::optional<AnswerPattern> multiple_of(const WrongVectors& vectors, const std::vector<Fact>& facts)
 {
     const auto factors = factors_of(vectors);
@@ -199,6 +207,7 @@ std::optional<AnswerPattern> multiple_of(const WrongVectors& vectors, const std:
     }
     if (const auto words = as_factor(*factors, vectors.questions, facts))
         return AnswerPattern{"is the right one " + *words};
+    if (!are_coordinates(vectors.names)) return std::nullopt;
     if (std::ranges::all_of(*factors, [](double factor) { return factor > 0; }))
         return AnswerPattern{"has the right direction, but not the right length"};
     if (vectors.components > 1 && vary(*factors))

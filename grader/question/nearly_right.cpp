@@ -34,13 +34,18 @@ bool is_nearly_right(const AnswerPair& one, std::size_t together)
     return true;
 }
 
-/// How many are so; none where all are whole.
+/// Are all numbers that differ whole, as codes and counts are?
+bool differ_in_whole_ones(const AnswerPair& one)
+{
+    for (std::size_t i = 0; i < std::min(one.yours.size(), one.expected.size()); ++i)
+        if (one.yours[i] != one.expected[i] && !(is_whole(one.yours[i]) && is_whole(one.expected[i]))) return false;
+    return true;
+}
+
+/// How many are so; none where all that differs is whole.
 std::size_t nearly_right_in(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
 {
-    const bool whole = std::ranges::all_of(wrong, [](const AnswerPair* one) {
-        return std::ranges::all_of(one->yours, is_whole) && std::ranges::all_of(one->expected, is_whole);
-    });
-    if (whole) return 0;
+    if (std::ranges::all_of(wrong, [](const AnswerPair* one) { return differ_in_whole_ones(*one); })) return 0;
     const std::size_t together = numbers_of_one_size(table);
     return static_cast<std::size_t>(
         std::ranges::count_if(wrong, [&](const AnswerPair* one) { return is_nearly_right(*one, together); }));

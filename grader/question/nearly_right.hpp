@@ -13,8 +13,8 @@ inline constexpr const char* nearly_right =
 
 /// What is said where most wrong answers are so and some are far off, in words that follow "most wrong answers".
 inline constexpr const char* mostly_nearly_right =
-    "are nearly right and some are far off: as where nearly equal numbers are subtracted, what is nearly 0 is divided "
-    "by, or float is used on the way";
+    "are nearly right and some are far off: perhaps a number is rounded or cut off on the way, nearly equal ones are "
+    "subtracted, or what is nearly 0 is divided by";
 
 /// Are all these wrong answers the right ones but for little: a hundredth of the largest number of the vector, or of
 /// the matrix's column, and of each number itself in rows that hold different things? Of codes and counts, which are

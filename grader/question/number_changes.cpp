@@ -111,7 +111,8 @@ std::optional<std::string> made_whole(std::span<const double> yours, std::span<c
     std::set<double> fractions;
     for (const double one : right)
         if (std::abs(one - std::round(one)) > rounding * std::max(1.0, std::abs(one))) fractions.insert(one);
-    if (fractions.size() < least_different) return std::nullopt;
+    // One number for all of them is no rounding.
+    if (fractions.size() < least_different || different(yours) < 2) return std::nullopt;
     const auto all = [&](double (*whole)(double)) {
         return std::ranges::equal(yours, right, {}, {}, [whole](double x) { return whole(x); });
     };

@@ -237,6 +237,17 @@ void set_library(wire::Header& header, const void* handle)
     header.library_base = map->l_addr;
 }
 
+/// What is used as it must not be ends the case as any exception does.
+wire::Note note_of(StudentError::Kind kind) noexcept
+{
+    switch (kind) {
+        case StudentError::Kind::compile_error: return wire::Note::compile_error;
+        case StudentError::Kind::interface_mismatch: return wire::Note::interface_mismatch;
+        case StudentError::Kind::misuse: break;
+    }
+    return wire::Note::uncaught_exception;
+}
+
 void note_exception(wire::Header& header) noexcept
 {
     const auto note = [&](wire::Note kind, std::initializer_list<const char*> parts) {
@@ -247,9 +258,7 @@ void note_exception(wire::Header& header) noexcept
     try {
         throw;
     } catch (const StudentError& error) {
-        note(error.kind() == StudentError::Kind::compile_error ? wire::Note::compile_error
-                                                               : wire::Note::interface_mismatch,
-             {error.what()});
+        note(note_of(error.kind()), {error.what()});
     } catch (const std::bad_alloc&) {
         note(wire::Note::out_of_memory, {"std::bad_alloc: no more memory"});
     } catch (const std::exception& error) {

@@ -85,6 +85,10 @@ public:
     [[nodiscard]] RunOutcome run_past(const Exercise& exercise, const Built& built, const std::string& case_name,
                                       std::uint64_t seed, const PassedOver& passed_over, double wall_seconds);
 
+    /// A trusted solution's run without some questions; nothing is kept of it.
+    [[nodiscard]] RunOutcome trusted_past(const Exercise& exercise, Answers solution, const std::string& case_name,
+                                          std::uint64_t seed, const PassedOver& passed_over, const Grain& grain = {});
+
     /// The same, while the case with the inputs of `beside` runs in turns with it in the same process, so that before
     /// each of its questions another one is asked.
     [[nodiscard]] RunOutcome run_beside(const Exercise& exercise, const Built& built, const std::string& case_name,

@@ -180,16 +180,19 @@ TEST(StatementTable, finds_the_line_of_a_check)
     const std::vector<StatementLine> lines = statement_lines(
         "## What it is\n| far | no |\n## What is checked\nWords.\n| check | points | what is judged |\n|---|---|---|\n"
         "| far (hidden, hard) | 1 | far \\| `away`, see [that](there.md) |\n| near, nearly so (hidden) | 1 | the same, "
-        "near |\n| laws/turned | 1 | a law |\n| frames: end, alive | 1 | ends |\n| known, random (hidden) boxes | 1 | "
+        "near |\n| laws/turned | 1 | a law |\n| frames: first | 1 | one |\n| frames: end, alive | 1 | ends |\n| "
+        "lamps/near, far | 1 | likewise |\n| known, random (hidden) boxes | 1 | "
         "boxes "
         "|\n## What goes wrong\n| behind | no |\n");
     const auto says = [&](const char* case_name, const char* value) { return statement_says(lines, case_name, value); };
-    EXPECT_EQ(lines.size(), 5U);
+    EXPECT_EQ(lines.size(), 7U);
     EXPECT_EQ(says("far", "t"), "far | `away`, see that");
     EXPECT_EQ(says("near", "t"), "far | `away`, see that; the same, near");
     EXPECT_EQ(says("nearly so", "t"), says("near", "t"));
     EXPECT_EQ(says("laws", "turned"), "a law");
     EXPECT_EQ(says("frames", "alive"), "ends");
+    EXPECT_EQ(says("frames", "middle"), "") << "other lines are about its other values";
+    EXPECT_EQ(says("lamps", "far"), "ends");
     EXPECT_EQ(says("random boxes", "t"), "boxes");
     EXPECT_EQ(says("nearly", "t"), "") << "a part of a name is no name";
     EXPECT_EQ(says("behind", "t"), "");

@@ -47,7 +47,7 @@ TEST(AnswerPatterns, say_which_number_of_a_row_differs)
                                   [](Row right) {
                                       return Row{right[0] * right[0], right[1] * right[1], right[2]};
                                   })),
-              "differs in all but z");
+              "differs in other numbers than z");
 }
 
 TEST(AnswerPatterns, do_not_say_that_all_differs_but_what_a_row_is_about)

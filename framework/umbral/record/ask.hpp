@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <tuple>
+#include <umbral/record/call_text.hpp>
 #include <umbral/record/questions.hpp>
 #include <umbral/record/recorder.hpp>
 #include <umbral/record/short_lived.hpp>
@@ -110,69 +111,6 @@ bool has_object(const Questions& questions, const std::tuple<Kept...>& arguments
     (std::index_sequence_for<Kept...>{});
 }
 
-template <class List>
-concept GrowingList = requires(List& list)
-{
-    list.push_back(*list.begin());
-};
-
-/// Is it a list that the function adds its results to?
-template <class Kept>
-inline constexpr bool is_list_to_fill = std::is_lvalue_reference_v<Kept>&& GrowingList<std::remove_reference_t<Kept>>;
-
-inline constexpr const char* filled_list = "filled";  ///< what such a list is called in code
-
-/// An argument as code: in full if that is asked for.
-template <class Value>
-std::string argument_text(const Questions& questions, const Value& value)
-{
-    return literal::of_value(value, true, questions.inquiry().in_full ? literal::in_full : literal::Style{});
-}
-
-/// "intersect(Ray{…}, Sphere{…})"; a list to fill by its name if there `is_made` one before.
-template <class... Kept>
-std::string call_text(const Questions& questions, std::string_view function, const std::tuple<Kept...>& arguments,
-                      bool is_made = false)
-{
-    std::string text(reflect::last_name(function));
-    text += '(';
-    std::size_t count = 0;
-    const auto add = [&](const auto& argument, bool may_have_a_name, bool is_to_fill) {
-        if (count++ > 0) text += ", ";
-        if (const std::string name = questions.name_of(&argument); may_have_a_name && !name.empty())
-            text += name;
-        else if (is_made && is_to_fill)
-            text += filled_list;
-        else
-            text += argument_text(questions, argument);
-    };
-    [&]<std::size_t... Index>(std::index_sequence<Index...>)
-    {
-        (add(std::get<Index>(arguments), std::is_reference_v<Kept>, is_list_to_fill<Kept>), ...);
-    }
-    (std::index_sequence_for<Kept...>{});
-    return text + ')';
-}
-
-/// The call, between lines that make the list which it fills, and name it as what comes out.
-template <class... Kept>
-std::string code_of_call(const Questions& questions, std::string_view function, const std::tuple<Kept...>& arguments)
-{
-    static_assert((0 + ... + int{is_list_to_fill<Kept>}) <= 1, "two lists that are filled need two names");
-    const std::string call = call_text(questions, function, arguments, true);
-    if constexpr (!(is_list_to_fill<Kept> || ...)) return call;
-    std::string made;
-    const auto make = [&]<class List>(const List& list) {
-        made = "auto " + std::string(filled_list) + " = " + argument_text(questions, list) + ";";
-    };
-    [&]<std::size_t... Index>(std::index_sequence<Index...>)
-    {
-        ((is_list_to_fill<Kept> ? make(std::get<Index>(arguments)) : void()), ...);
-    }
-    (std::index_sequence_for<Kept...>{});
-    return made + "\n" + call + ";\n" + filled_list;
-}
-
 /// What the driver goes on with where a question must not be asked. What has no empty value, or would be used as an
 /// object, ends the case.
 template <class Result>
@@ -202,7 +140,8 @@ struct AskFunction {
         const bool is_to_object = has_object(*questions, all);
         if (is_to_object) questions->note_object(name);
         if (questions->code_is_wanted())
-            questions->set_code((is_to_object ? questions->history() : "") + code_of_call(*questions, name, all));
+            questions->set_code((is_to_object ? questions->history() : "") +
+                                code_of_call<Result>(*questions, name, all));
         note(*questions, name, all);
         const EndOfCall end(*questions);
         return std::apply([](auto&... each) -> Result { return Function(each...); }, all);

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <utility>
 
+#include "judge/rows/gl_words.hpp"
+
 namespace umbral::grader {
 namespace {
 
@@ -74,7 +76,8 @@ std::vector<std::string> column_names(std::string_view text, std::size_t compone
 ColumnWord column_word(std::string_view column, double value)
 {
     const std::size_t open = column.find(" (");
-    if (open == std::string_view::npos || !column.ends_with(')')) return {std::string(column), ""};
+    if (open == std::string_view::npos || !column.ends_with(')'))
+        return {std::string(column), std::string(gl_word(column, value))};
     std::string word;
     std::string_view words = column.substr(open + 2, column.size() - open - 3);
     while (!words.empty()) {

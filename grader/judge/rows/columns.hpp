@@ -25,7 +25,8 @@ struct ColumnGroup {
                                                     std::string_view value);
 
 /// What a column's name says that its values stand for: "kind" and "oblique" for 1 in "kind (0: degenerate; 1:
-/// oblique)". No word for other values; names that hold anything else are given back as they are.
+/// oblique)", or GL_FILL in a state of OpenGL's (gl_words.hpp). No word for other values; names that hold anything else
+/// are given back as they are.
 struct ColumnWord {
     std::string name;
     std::string word;

@@ -63,6 +63,10 @@ std::string complaint(std::string_view rule, double yours, double expected, cons
     if (rule == state_changes)
         return fmt::format("{}, {} {} enough", number(yours, "state change", "state changes"), count_text(expected),
                            possible);
+    // Where such calls are what is asked for, only how many there are can be wrong.
+    if (expected > 0)
+        return fmt::format("{} of the fixed function, {} are enough", number(yours, "call", "calls"),
+                           count_text(expected));
     const GlCall* call = first_extra(trace, expected_trace, rule);
     return call == nullptr ? "" : fmt::format("{} is deprecated: {}", call->name, instead_of_deprecated(call->name));
 }
@@ -82,8 +86,48 @@ std::vector<Looked> looked_at(const GlTrace& trace, std::string_view rule)
     return calls;
 }
 
+/// What draws, and how many vertices: a call, or all between a glBegin and its glEnd.
+struct Drawing {
+    std::string text;
+    std::size_t index;
+    double vertices = 0;
+};
+
+std::vector<Drawing> drawings_in(const GlTrace& trace)
+{
+    std::vector<Drawing> drawings;
+    for (std::size_t i = 0; i < trace.calls.size(); ++i) {
+        const GlCall& call = trace.calls[i];
+        if (draws(call))
+            drawings.push_back({in_cpp(call), i, vertices_of(call)});
+        else if (!drawings.empty())
+            drawings.back().vertices += vertices_of(call);
+    }
+    return drawings;
+}
+
+/// The first of as many drawings in the same order that has another number of vertices.
+std::optional<Difference> first_other_count(const GlTrace& yours, const GlTrace& expected)
+{
+    const std::vector<Drawing> a = drawings_in(yours);
+    const std::vector<Drawing> b = drawings_in(expected);
+    if (a.size() != b.size()) return std::nullopt;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (a[i].vertices == b[i].vertices) continue;
+        const auto text = [](const Drawing& one) {
+            return fmt::format("{}: {} {}", one.text, count_text(one.vertices),
+                               one.vertices == 1 ? "vertex" : "vertices");
+        };
+        return Difference{fmt::format("vertices: call {} of your {}", a[i].index + 1, yours.calls.size()), text(a[i]),
+                          text(b[i])};
+    }
+    return std::nullopt;
+}
+
 std::optional<Difference> first_difference(std::string_view rule, const GlTrace& yours, const GlTrace& expected)
 {
+    if (rule == vertices)
+        if (auto found = first_other_count(yours, expected)) return found;
     const std::vector<Looked> a = looked_at(yours, rule);
     const std::vector<Looked> b = looked_at(expected, rule);
     for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {

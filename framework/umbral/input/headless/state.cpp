@@ -27,7 +27,7 @@ void report(int code, const std::string& text)
     if (now.error_callback != nullptr) now.error_callback(code, text.c_str());
 }
 
-void give_up(const std::string& text) { throw StudentError(StudentError::Kind::interface_mismatch, text); }
+void give_up(const std::string& text) { throw StudentError(StudentError::Kind::misuse, text); }
 
 bool exists(const GLFWwindow* window)
 {
