@@ -151,7 +151,7 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
         }
         // What hangs costs nothing of what does not.
         CaseResult& one = cases.emplace(name, not_reached(seed, is_hidden_case(exercise, name))).first->second;
-        if (!hung) hung = functions_that_hung(worker, exercise, cases);
+        if (!hung) hung = functions_that_hung(exercise, cases);
         run_without(worker, exercise, built, name, *hung, one);
     }
     UnitResult result = without_points(exercise, Verdict::wrong, "");

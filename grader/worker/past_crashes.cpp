@@ -14,7 +14,7 @@ namespace {
 /// Each costs a run: so many questions, and then so many functions.
 constexpr std::size_t most_questions = 8;
 constexpr std::size_t most_functions = 3;
-/// Of the limit: what a case that did not end may take without the question in which it hung. Code that is slow
+/// Of what a run might take that did not end: what it may take without the function in which it hung. Code that is slow
 /// everywhere is stopped at one question today and at another tomorrow: only a loop that begins early, and does not
 /// end, is told from it.
 constexpr double part_without_loop = 0.25;
@@ -83,13 +83,13 @@ void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& buil
     // repetitions of a unit: crashing late, again and again, would else cost twelve times the limit in each case.
     const bool hung = is_endless(last, exercise.limits);
     double seconds = hung ? 0 : last.wall_seconds;
-    const double allowed = exercise.limits.wall_seconds * (hung ? part_without_loop : 1);
+    double allowed = exercise.limits.wall_seconds;
     // Each run takes more away, but whether code crashes may be up to chance.
     for (std::size_t runs = 0; can_be_passed(last) && runs <= most_questions + most_functions; ++runs) {
         const std::uint32_t question = last.recording.asked - 1;
         const bool endless = is_endless(last, exercise.limits);
         const bool again = std::ranges::find(passed_over.questions, question) != passed_over.questions.end();
-        if (again || question >= passed_over.end || (runs > 0 && endless)) return;
+        if (again || question >= passed_over.end) return;
         const auto function = [&] { return function_of_end(worker, exercise, case_name, one.seed, last.recording); };
         if (!endless && passed_over.questions.size() < most_questions) {
             passed_over.questions.push_back(question);
@@ -99,7 +99,10 @@ void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& buil
             const std::string name = function();
             if ((name.empty() && endless) || !passed_over.functions.emplace(name, question).second)
                 passed_over.end = question;
+            else if (endless)
+                one.hung.push_back(name);
         }
+        if (endless) allowed *= part_without_loop;
         if (seconds > exercise.limits.wall_seconds || !worker.spare_time().is_left()) return;
         last = worker.run_past(exercise, built, case_name, one.seed, passed_over, allowed);
         seconds += last.wall_seconds;
@@ -107,16 +110,13 @@ void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& buil
     if (last.verdict == Verdict::ok) one.past = std::move(last);
 }
 
-std::vector<std::string> functions_that_hung(Worker& worker, const Exercise& exercise, const CaseResults& cases)
+std::vector<std::string> functions_that_hung(const Exercise& exercise, const CaseResults& cases)
 {
     std::vector<std::string> functions;
     for (const auto& [name, one] : cases) {
         if (!one.reached || !is_endless(one.student, exercise.limits)) continue;
-        const std::string function = one.student.recording.asked > 0
-                                         ? function_of_end(worker, exercise, name, one.seed, one.student.recording)
-                                         : "";
-        if (function.empty()) return {};
-        functions.push_back(function);
+        if (one.hung.empty()) return {};
+        functions.insert(functions.end(), one.hung.begin(), one.hung.end());
     }
     return functions;
 }

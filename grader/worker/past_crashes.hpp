@@ -17,10 +17,9 @@ namespace umbral::grader {
 void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& built, const std::string& case_name,
                      CaseResult& one);
 
-/// The functions in which the cases that were endless ended, by the reference's questions; none if that is not known of
+/// The functions in which the cases that were endless ended, and those that call these; none if that is not known of
 /// one of them.
-[[nodiscard]] std::vector<std::string> functions_that_hung(Worker& worker, const Exercise& exercise,
-                                                           const CaseResults& cases);
+[[nodiscard]] std::vector<std::string> functions_that_hung(const Exercise& exercise, const CaseResults& cases);
 
 /// Runs a case that is not reached, because too many before it were endless, without asking these functions: what
 /// others answer is judged. Nothing is if it does not end well without them either, or no time is left.

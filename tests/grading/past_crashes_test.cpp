@@ -141,6 +141,22 @@ TEST_F(PastCrashesOfOneFunction, that_always_hangs_cost_nothing_of_another_where
     EXPECT_GE(right, 8);
 }
 
+class PastCrashesOfFunctionsThatCallIt : public SpoiltReference {
+protected:
+    PastCrashesOfFunctionsThatCallIt() : SpoiltReference("transforms/perpendicular") {}
+};
+
+// rotate_in_plane calls turn_left, so both hang; six other functions do not.
+TEST_F(PastCrashesOfFunctionsThatCallIt, cost_nothing_of_others)
+{
+    exercise.limits.wall_seconds = 3;
+    const std::string begin = "glm::vec2 turn_left(const glm::vec2& u) { ";
+    const UnitResult result = grade(begin, begin + "for (volatile int i = 0; u.x > 0.5F && i == 0;) {} ");
+    for (const char* const right : {"known/right", "known/point", "known/across", "random/across matrix"})
+        EXPECT_EQ(check(result, right).score, check(result, right).max_score) << right << ": " << result.message;
+    EXPECT_EQ(check(result, "known/left").score, 0);
+}
+
 TEST_F(PastCrashes, of_hidden_cases_only_the_kind_is_told)
 {
     const UnitResult result = grade("ray.t_min == 0 && ray.origin.x > 5 && ray.origin.y > 5", null_write);
