@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -61,11 +62,41 @@ std::vector<std::string> differences(const Answer& mine, const Answer& right)
     return lines;
 }
 
+/// The elements of "std::vector<int>{1, 2}", sorted; none if it is no list of several.
+std::vector<std::string> elements_of(const std::string& text)
+{
+    const std::size_t begin = text.find('{');
+    if (begin == std::string::npos || !text.ends_with('}')) return {};
+    std::vector<std::string> elements(1);
+    int depth = 0;
+    for (const char c : text.substr(begin + 1, text.size() - begin - 2)) {
+        depth += c == '{' || c == '(' ? 1 : c == '}' || c == ')' ? -1 : 0;
+        if (c == ',' && depth == 0)
+            elements.emplace_back();
+        else if (c != ' ' || !elements.back().empty())
+            elements.back() += c;
+    }
+    std::ranges::sort(elements);
+    return elements.size() > 1 ? elements : std::vector<std::string>();
+}
+
+/// Is it a list of the same elements in another order?
+bool is_reordered(const Answer& mine, const Answer& right)
+{
+    constexpr std::string_view list = "std::vector<";
+    return mine.given && right.given && mine.text.starts_with(list) && right.text.starts_with(list) &&
+           !elements_of(mine.text).empty() && elements_of(mine.text) == elements_of(right.text);
+}
+
 void print_difference(const Paint& paint, const std::string& what, const Answer& mine, const Answer& right)
 {
     if (mine.given == right.given && mine.text == right.text) {
         const bool throws = mine.given && mine.text.starts_with("throws ");
         fmt::print("{} {}.\n", what, throws ? "are the same exception" : mine.given ? "are equal" : "are both missing");
+        return;
+    }
+    if (is_reordered(mine, right)) {
+        fmt::print("{} are lists of the same elements in another order, which some units leave free.\n", what);
         return;
     }
     const std::vector<std::string> lines = differences(mine, right);

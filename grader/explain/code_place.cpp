@@ -164,7 +164,9 @@ std::vector<std::size_t> failing_checks(Worker& worker, const Exercise& exercise
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const CaseResult& one = cases.at(exercise.checks[i].case_name);
         const bool kept_something = result.checks[i].common == right_alone || result.checks[i].beside;
-        if (fails(result.checks[i]) && !kept_something && one.reached && one.cause().empty() &&
+        // Of estimates by chance no single one is wrong or right.
+        const bool by_chance = judge_of(exercise.checks[i]).judge_both != nullptr;
+        if (fails(result.checks[i]) && !kept_something && !by_chance && one.reached && one.cause().empty() &&
             may_repeat(worker, exercise, one))
             found.push_back(i);
     }

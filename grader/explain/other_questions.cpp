@@ -277,7 +277,10 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
     if (candidates.empty()) return found;
     keep_simple(candidates);
     keep_best_function(candidates);
-    for (const WeighedQuestion& candidate : candidates) add(candidate, confidence(candidate.tally), "");
+    // What other checks speak against is not so of all results.
+    for (const WeighedQuestion& candidate : candidates)
+        add(candidate, confidence(candidate.tally),
+            candidate.tally.against_it > 0 ? fmt::format("In {}: ", listed(candidate.speaking)) : "");
     return found;
 }
 

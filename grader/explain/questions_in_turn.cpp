@@ -1,6 +1,7 @@
 #include "explain/questions_in_turn.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <span>
@@ -85,14 +86,36 @@ bool is_same_everywhere(const OtherQuestion& one, const OtherQuestion& all)
            last_field(one.place) == last_field(all.place) && last_field(one.other) == last_field(all.other);
 }
 
-void add_known(const QuestionLog& log, AllTurns& turns)
+/// May a number of this name be an angle, which is told in degrees or in radians? Names of other quantities say so.
+bool may_be_angle(const std::string& words)
 {
+    constexpr std::array<std::string_view, 22> others{
+        "plane",  "near", "far",  "size",   "width", "height", "length",   "distance", "radius", "depth", "scale",
+        "factor", "step", "time", "second", "index", "count",  "exponent", "weight",   "error",  "t_min", "t_max"};
+    const std::string_view name = last_field(words);
+    return std::ranges::none_of(others,
+                                [&](std::string_view other) { return name.find(other) != std::string_view::npos; });
+}
+
+/// Is a quantity that is no angle changed as an angle is?
+bool is_no_angle(const OtherQuestion& one, const std::string& headers,
+                 std::map<std::string, std::vector<std::string>>& parameters)
+{
+    if (!one.change.starts_with("turned from ")) return false;
+    const auto [known, is_new] = parameters.try_emplace(one.function);
+    if (is_new && !one.function.empty()) known->second = parameter_names(headers, one.function);
+    return !may_be_angle(in_words(one.place, known->second));
+}
+
+void add_known(const QuestionLog& log, const std::string& headers, AllTurns& turns)
+{
+    std::map<std::string, std::vector<std::string>> parameters;
     std::map<Key, std::size_t> times;
     for (const OtherQuestion& one : log.others) ++times[key_of(one)];
     std::set<Key> added;
     for (std::size_t i = 0; i < log.others.size(); ++i) {
         const OtherQuestion& one = log.others[i];
-        if (!added.insert(key_of(one)).second) continue;
+        if (!added.insert(key_of(one)).second || is_no_angle(one, headers, parameters)) continue;
         QuestionInTurn question{one};
         if (i + 1 < log.others.size()) {
             const OtherQuestion& next = log.others[i + 1];
@@ -176,7 +199,7 @@ void add_of_functions(const std::vector<OtherQuestion>& plain, AllTurns& turns)
 std::vector<QuestionInTurn> questions_in_turn(const QuestionLog& log, const std::string& headers)
 {
     AllTurns turns;
-    add_known(log, turns);
+    add_known(log, headers, turns);
     const std::vector<OtherQuestion> plain = plain_changes(log);
     add_of_objects(log, plain, headers, turns);
     add_of_functions(plain, turns);

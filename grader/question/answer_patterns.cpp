@@ -10,6 +10,7 @@
 #include <set>
 #include <span>
 
+#include "judge/rows/tensor_view.hpp"
 #include "question/alike.hpp"
 #include "question/answer_columns.hpp"
 #include "question/answer_places.hpp"
@@ -41,9 +42,9 @@ bool all_equal(const Pairs& pairs, const std::vector<double> AnswerPair::*side)
 /// "0", "(0, 0, 1)"
 std::string in_words(std::span<const double> numbers)
 {
-    if (numbers.size() == 1) return fmt::format("{:.6g}", numbers.front());
+    if (numbers.size() == 1) return number_text(numbers.front());
     std::vector<std::string> all;
-    for (const double number : numbers) all.push_back(fmt::format("{:.6g}", number));
+    for (const double number : numbers) all.push_back(number_text(number));
     return fmt::format("({})", fmt::join(all, ", "));
 }
 

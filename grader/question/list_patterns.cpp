@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 
 #include "question/alike.hpp"
@@ -94,8 +95,6 @@ std::vector<std::string> patterns_of_right_rows(const AnswerTable& table, const 
         twice = twice && yours.size() > right.size() && are_alike(once(yours, size), once(right, size), size);
         only_once = only_once && yours.size() < right.size() && are_alike(yours, once(right, size), size);
         const bool same_size = yours.size() == right.size();
-        // Rows that are so near to each other are alike in any order.
-        if (same_size && are_alike(yours, right, size)) return {};
         bool is_turned = false;
         for (std::size_t i = 0; same_size && turned && i < right.size() && !is_turned; ++i) {
             is_turned = are_alike(yours, right, size);
@@ -115,12 +114,30 @@ std::vector<std::string> patterns_of_right_rows(const AnswerTable& table, const 
     return found;
 }
 
+/// Is each list of one kind, and not all of the same? Then rows are called as their question is, which says nothing of
+/// what is missing.
+bool kinds_name_questions(const AnswerTable& table)
+{
+    std::set<double> different;
+    for (const AnswerPair& one : table.answers)
+        for (std::size_t at = 0; at < one.expected.size(); at += table.components) {
+            if (one.expected[at] != one.expected.front()) return false;
+            different.insert(one.expected[at]);
+        }
+    return different.size() > 1;
+}
+
 }
 
 std::vector<std::string> list_patterns(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
 {
     std::vector<std::string> found;
     const std::size_t components = table.components;
+    // Rows that are so near to each other are alike in any order.
+    if (std::ranges::any_of(wrong, [](const AnswerPair* one) {
+            return one->yours.size() == one->expected.size() && alike_rows(one->yours, one->expected);
+        }))
+        return found;
     const auto all = [&](auto holds) {
         return std::ranges::all_of(wrong, [&](const AnswerPair* one) {
             return one->expected.size() > components && holds(RowsOfList(one->yours), RowsOfList(one->expected));
@@ -183,6 +200,7 @@ std::vector<std::string> list_patterns(const AnswerTable& table, const std::vect
 std::vector<std::string> kind_patterns(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
 {
     if (table.kinds.empty() || table.components == 0) return {};
+    if (kinds_name_questions(table)) return {};
     std::optional<double> lacking;
     std::optional<double> too_often;
     bool lacks = true;

@@ -123,6 +123,22 @@ std::optional<std::string> made_whole(std::span<const double> yours, std::span<c
     return std::nullopt;
 }
 
+/// What is left of numbers that an integer of some bits cannot hold.
+std::optional<std::string> wrapped(std::span<const double> yours, std::span<const double> right)
+{
+    for (const int bits : {32, 16, 8}) {
+        const double range = std::ldexp(1, bits);
+        const bool all = std::ranges::equal(yours, right, [range](double a, double b) {
+            const double left = std::fmod(b, range);
+            return b == std::trunc(b) && std::abs(b) >= range / 2 && (a == left || a == left - range);
+        });
+        if (all)
+            return fmt::format("what an integer of {} bits can hold of the right one (its rest modulo 2^{})", bits,
+                               bits);
+    }
+    return std::nullopt;
+}
+
 }
 
 std::string constant_text(double number, bool remark)
@@ -153,7 +169,8 @@ std::optional<AnswerPattern> change_of_numbers(std::span<const double> yours, st
     // Of a single right value anything is true.
     if (yours.empty() || different(right) < 2) return std::nullopt;
     if (auto found = sum_or_product(yours, right)) return found;
-    auto words = made_whole(yours, right);
+    auto words = wrapped(yours, right);
+    if (!words) words = made_whole(yours, right);
     if (!words) words = upside_down(yours, right);
     return words ? std::optional(AnswerPattern{*std::move(words)}) : std::nullopt;
 }
@@ -167,6 +184,10 @@ std::optional<std::string> side_of_numbers(std::span<const double> yours, std::s
         if (alike(yours[i], right[i], std::max(std::abs(yours[i]), std::abs(right[i])))) continue;
         ++(yours[i] > right[i] ? larger : smaller);
     }
+    const auto is_bit = [](double x) { return x == 0 || x == 1; };
+    const bool bits = std::ranges::all_of(yours, is_bit) && std::ranges::all_of(right, is_bit);
+    if (bits && larger >= least && smaller == 0) return "1 (or true) where 0 (or false) is right";
+    if (bits && smaller >= least && larger == 0) return "0 (or false) where 1 (or true) is right";
     if (larger >= least && smaller == 0) return "larger than the right one";
     if (smaller >= least && larger == 0) return "smaller than the right one";
     return std::nullopt;

@@ -28,6 +28,19 @@ TEST(AnswerPatterns, say_what_was_done_to_the_right_answer)
               "is the right one with the opposite sign");
 }
 
+TEST(AnswerPatterns, know_integers_that_are_too_small)
+{
+    const auto wrap = [](Row right) { return Row{std::fmod(right[0], 65536)}; };
+    AnswerTable made = table(1, [](Row right) { return right; });
+    for (std::size_t i = 0; i < made.answers.size(); ++i) {
+        AnswerPair& one = made.answers[i];
+        one.expected = {70000.0 + 30011.0 * static_cast<double>(i)};
+        one.yours = wrap(one.expected);
+        one.wrong = true;
+    }
+    EXPECT_EQ(first_pattern(made).find("is what an integer of 16 bits can hold"), 0U) << first_pattern(made);
+}
+
 // Numbers of double that are no numbers of four digits, and such as float does not have.
 TEST(AnswerPatterns, take_factors_of_any_size)
 {

@@ -38,6 +38,57 @@ TEST(SillySentences, that_events_are_missing_is_said_with_the_one_that_is)
     EXPECT_EQ(first_pattern(made), "has \"zoom\" too often");
 }
 
+// Rows of a mesh, called as the mesh is.
+TEST(SillySentences, what_all_rows_of_a_question_are_called_is_not_what_is_missing)
+{
+    AnswerTable made = wrong_ones(2, {{4, 1}, {4, 2}, {4, 3}, {4, 4}, {4, 5}},
+                                  {{4, 1, 4, 7}, {4, 2, 4, 7}, {4, 3, 4, 8}, {4, 4, 4, 6}, {4, 5, 4, 9}});
+    made.kinds = {{3, {"cube"}}, {4, {"torus of 8400 triangles"}}};
+    made.answers.push_back({{3, 1, 3, 2}, {3, 1, 3, 2}, false});
+    for (const AnswerPattern& one : answer_patterns(made)) EXPECT_EQ(one.words.find("torus"), std::string::npos);
+}
+
+// Codes, counts and states beside measured numbers.
+TEST(SillySentences, of_whole_numbers_that_differ_none_is_nearly_right)
+{
+    std::vector<Row> yours;
+    std::vector<Row> expected;
+    for (double i = 0; i < 6; ++i) {
+        yours.push_back({0.1 * i, 6912 + std::fmod(i, 2)});
+        expected.push_back({0.1 * i, 6914 - std::fmod(i, 2)});
+    }
+    AnswerTable made = wrong_ones(2, yours, expected);
+    made.columns = {"GL_LINE_WIDTH", "GL_POLYGON_MODE back"};
+    EXPECT_EQ(first_pattern(made).find("nearly"), std::string::npos) << first_pattern(made);
+}
+
+TEST(SillySentences, counts_have_no_direction)
+{
+    std::vector<Row> yours;
+    std::vector<Row> expected;
+    for (double i = 1; i < 7; ++i) {
+        expected.push_back({i, 3 * i});
+        yours.push_back({i * i, 3 * i * i});
+    }
+    AnswerTable made = wrong_ones(2, yours, expected);
+    EXPECT_EQ(first_pattern(made), "has the right direction, but not the right length");
+    made.columns = {"buffers alive", "programs alive"};
+    for (const AnswerPattern& one : answer_patterns(made)) EXPECT_EQ(one.words.find("direction"), std::string::npos);
+}
+
+// Depths that differ in the seventh digit look like a list turned round, and like anything else.
+TEST(SillySentences, rows_that_are_nearly_equal_have_no_order)
+{
+    std::vector<Row> yours;
+    std::vector<Row> expected;
+    for (double i = 0; i < 6; ++i) {
+        expected.push_back({0.0354331, 0.0354332, 0.0354331, 0.0354330});
+        yours.push_back({0.0354331, 0.0354330, 0.0354331, 0.0354330});
+    }
+    for (const AnswerPattern& one : answer_patterns(wrong_ones(1, yours, expected)))
+        EXPECT_EQ(one.words.find("row"), std::string::npos) << one.words;
+}
+
 // What a driver writes down where nothing was answered is not what the student's code said.
 TEST(SillySentences, a_refusal_is_no_number)
 {
