@@ -93,6 +93,8 @@ int run(std::span<char* const> words, std::span<const ListedCommand> commands)
         "Exit status: 0 all right; 1 the work falls short; 2 the command cannot be carried out as given; 3 a fault of "
         "Umbral's own.");
     for (const ListedCommand& one : commands) {
+        // What cannot be done here is not offered.
+        if (one.needs_sources && application.layout.installed) continue;
         const Command command = line.program().command(one.name, one.summary);
         if (one.add != nullptr) one.add(command, application);
     }

@@ -15,6 +15,12 @@ inline constexpr const char* right_alone =
     "this call is answered right if no other is made before it: your code keeps something from one call to the next, "
     "perhaps in a static or a global variable";
 
+/// The same where OpenGL keeps something, too. It begins with right_alone.
+[[nodiscard]] inline std::string right_alone_of(const Exercise& exercise)
+{
+    return exercise.gl ? std::string(right_alone) + ", or in OpenGL's state" : right_alone;
+}
+
 /// What is said of a check that is right unless other questions are asked in between (unit/beside_itself.hpp).
 inline constexpr const char* right_without_others =
     "all of this is answered right if nothing else is asked in between: your code keeps something from one call to the "

@@ -107,7 +107,7 @@ public:
             }
         // What wrong answers share says nothing of the cause then.
         AnswerPattern shared =
-            alone ? AnswerPattern{right_alone} : sentence_of(find_in_common(worker_, asked, patterns));
+            alone ? AnswerPattern{right_alone_of(exercise_)} : sentence_of(find_in_common(worker_, asked, patterns));
         (one_.hidden ? result.practice : result.common) = std::move(shared.words);
         if (!one_.hidden) result.common_tells = shared.tells;
     }

@@ -145,7 +145,7 @@ std::string number_text(double recorded, int digits)
     if (std::isnan(value)) return "nan";
     if (value == 0 && digits < most_digits) return "0";
     // Ids, indices, counts, codes and bytes are told digit by digit.
-    constexpr double last_whole = 1e12;
+    constexpr double last_whole = 1e14;
     if (value == std::trunc(value) && std::abs(value) <= last_whole) return fmt::format("{:.0f}", value);
     // Nor do its neighbours change to powers of ten.
     const int whole_digits =
