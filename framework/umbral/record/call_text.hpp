@@ -37,7 +37,7 @@ std::array<std::string, sizeof...(Kept)> names_of_changed()
     std::array<std::string, sizeof...(Kept)> names;
     std::size_t place = 0;
     int changed = 0;
-    const auto add = [&](bool is_list, bool is_any) {
+    [[maybe_unused]] const auto add = [&](bool is_list, bool is_any) {
         std::string& name = names[place++];
         if (is_list)
             name = "filled";
@@ -88,7 +88,7 @@ std::string code_of_call(const Questions& questions, std::string_view function, 
     std::string made;
     std::string comes_out;
     std::size_t place = 0;
-    const auto make = [&](const auto& argument) {
+    [[maybe_unused]] const auto make = [&](const auto& argument) {
         std::string& name = names[place++];
         // Objects that were made before have names of their own.
         if (!questions.name_of(&argument).empty()) name.clear();
