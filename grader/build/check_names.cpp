@@ -20,10 +20,10 @@ std::optional<Objection> missing_interface(const Inspection& inspection)
 {
     if (inspection.missing.empty()) return std::nullopt;
     const std::string& declared = inspection.missing.front();
-    const std::string bare(last_part(without_arguments(declared)));
+    const std::string bare(last_name(without_arguments(declared)));
     std::vector<std::string> written;
     for (const InspectedFunction& function : inspection.functions)
-        if (function.name.find('(') != std::string::npos && last_part(without_arguments(function.name)) == bare)
+        if (function.name.find('(') != std::string::npos && last_name(without_arguments(function.name)) == bare)
             written.push_back(as_written(function.name));
     if (written.empty())
         return Objection{Verdict::interface_mismatch,

@@ -93,11 +93,11 @@ std::optional<std::string> find_forbidden(const Inspection& inspection, const st
         // one's own: of GLM's functions the last name counts.
         const std::string bare = qualified_name(function.bare);
         std::string name = qualified_name(function.name);
-        if (of_glm && (!name.starts_with("glm::") || last_part(name) != bare)) name = "glm::" + bare;
+        if (of_glm && (!name.starts_with("glm::") || last_name(name) != bare)) name = "glm::" + bare;
         for (const std::string& entry : forbid) {
             const ForbiddenFamily* family = forbidden_family(entry);
             if (family == nullptr && (matches_pattern(name, entry) || matches_pattern(public_name(name), entry) ||
-                                      (of_glm && matches_pattern(bare, last_part(entry)))))
+                                      (of_glm && matches_pattern(bare, last_name(entry)))))
                 return sentence(name, nullptr);
             if (family == nullptr || matches_any(name, family->except) || !matches_any(header, family->headers))
                 continue;

@@ -13,7 +13,7 @@ namespace umbral::grader {
 }
 
 /// "intersect" of "umbral::raytracing::intersect".
-[[nodiscard]] constexpr std::string_view last_part(std::string_view qualified)
+[[nodiscard]] constexpr std::string_view last_name(std::string_view qualified)
 {
     const std::size_t colon = qualified.rfind("::");
     return colon == std::string_view::npos ? qualified : qualified.substr(colon + 2);

@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
+#include <set>
 #include <sstream>
+#include <string>
 
 #include "support/printed.hpp"
 
@@ -42,6 +45,36 @@ TEST(Linked, drivers_export_their_cases_and_what_students_may_call)
         EXPECT_TRUE(has_cases) << entry.path();
     }
     EXPECT_GT(drivers, 0U);
+}
+
+// One of two functions of a name, one of them inline, is called in place of the other, and no compiler says so.
+TEST(Linked, no_function_is_defined_in_two_libraries)
+{
+    struct Definitions {
+        std::set<std::string> by_themselves{};
+        std::set<std::string> inlines{};
+    };
+    std::map<std::string, Definitions> all;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(UMBRAL_GRADER_FOLDER)) {
+        if (entry.path().extension() != ".a") continue;
+        const std::string library = entry.path().filename().string();
+        std::istringstream lines(run("nm --defined-only --format=posix " + entry.path().string()).text);
+        for (std::string line; std::getline(lines, line);) {
+            std::istringstream words(line);
+            std::string name;
+            std::string kind;
+            if (!(words >> name >> kind) || name.find("6umbral") == std::string::npos) continue;
+            if (kind == "T") all[name].by_themselves.insert(library);
+            if (kind == "W") all[name].inlines.insert(library);
+        }
+    }
+    EXPECT_GT(all.size(), 1000U);
+    for (const auto& [name, where] : all) {
+        EXPECT_LE(where.by_themselves.size(), 1U) << name;
+        if (where.by_themselves.size() != 1) continue;
+        for (const std::string& library : where.inlines)
+            EXPECT_EQ(library, *where.by_themselves.begin()) << name << " is inline there";
+    }
 }
 
 }

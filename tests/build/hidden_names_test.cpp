@@ -42,6 +42,8 @@ INSTANTIATE_TEST_SUITE_P(
                            "by another name (glm/gtx/rotate_normalized_axis.inl:"},
                     Hidden{"reflect-renamed", file_of_reflection, "by another name (glm/detail/func_geometric.inl:"},
                     Hidden{"reflect-of-long-type", file_of_reflection, "glm::reflect is not allowed"},
+                    Hidden{"reflect-of-detail", file_of_reflection, "is not allowed"},
+                    Hidden{"srgb-of-detail", "lighting/color/color.cpp", "is not allowed"},
                     Hidden{"products-of-quaternions", "transforms/vectors/vectors.cpp", "is not allowed"},
                     Hidden{"mix-of-quaternions", "interaction/keyframes/keyframes.cpp", "glm::mix is not allowed"}),
     [](const auto& one) {

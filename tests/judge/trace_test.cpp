@@ -110,6 +110,21 @@ TEST(Traces, the_deprecated_call_that_is_too_many_is_told)
     EXPECT_TRUE(found.message.starts_with("glMatrixMode is deprecated")) << found.message;
 }
 
+// Where immediate mode is what is asked for, nobody is told to do without; and the pair that has one vertex too many is
+// the one to look at.
+TEST(Traces, of_calls_that_are_asked_for_only_their_number_is_told)
+{
+    const std::string vertex = "glVertex2f 0 0\n";
+    const std::string fill = "glBegin 6\n" + vertex + vertex + vertex + "glEnd\n";
+    const std::string edges = "glBegin 2\n" + vertex + vertex + vertex;
+    const Judgement found = judged("glBegin 9" + fill.substr(9) + edges + vertex + "glEnd\n", fill + edges + "glEnd\n");
+    EXPECT_EQ(found.message.find("deprecated"), std::string::npos) << found.message;
+    ASSERT_TRUE(found.first_difference);
+    EXPECT_EQ(found.first_difference->where, "vertices: call 6 of your 11");
+    EXPECT_EQ(found.first_difference->yours, "glBegin(GL_LINE_LOOP): 4 vertices");
+    EXPECT_EQ(found.first_difference->expected, "glBegin(GL_LINE_LOOP): 3 vertices");
+}
+
 TEST(Traces, drawing_nothing_earns_nothing)
 {
     EXPECT_EQ(judged("glBindVertexArray 1\nglBindVertexArray 0\n", later_frame).right, 0);

@@ -144,8 +144,8 @@ std::string number_text(double recorded, int digits)
     // What is no number has no sign, and only where nothing else tells two values apart it matters that 0 has one.
     if (std::isnan(value)) return "nan";
     if (value == 0 && digits < most_digits) return "0";
-    // Ids, indices, counts, codes and bytes are told digit by digit.
-    constexpr double last_whole = 1e14;
+    // Ids, indices, counts and codes are told digit by digit, as far as 32 bits count.
+    constexpr double last_whole = 4294967296;
     if (value == std::trunc(value) && std::abs(value) <= last_whole) return fmt::format("{:.0f}", value);
     // Nor do its neighbours change to powers of ten.
     const int whole_digits =

@@ -63,12 +63,13 @@ std::string complaint(std::string_view rule, double yours, double expected, cons
     if (rule == state_changes)
         return fmt::format("{}, {} {} enough", number(yours, "state change", "state changes"), count_text(expected),
                            possible);
+    const GlCall* call = first_extra(trace, expected_trace, rule);
+    if (call == nullptr) return "";
     // Where such calls are what is asked for, only how many there are can be wrong.
-    if (expected > 0)
+    if (std::ranges::find(expected_trace.calls, call->name, &GlCall::name) != expected_trace.calls.end())
         return fmt::format("{} of the fixed function, {} are enough", number(yours, "call", "calls"),
                            count_text(expected));
-    const GlCall* call = first_extra(trace, expected_trace, rule);
-    return call == nullptr ? "" : fmt::format("{} is deprecated: {}", call->name, instead_of_deprecated(call->name));
+    return fmt::format("{} is deprecated: {}", call->name, instead_of_deprecated(call->name));
 }
 
 /// The calls that a rule looks at, with their places in the trace.
