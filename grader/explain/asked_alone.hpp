@@ -18,7 +18,7 @@ inline constexpr const char* right_alone =
 /// The same where OpenGL keeps something, too. It begins with right_alone.
 [[nodiscard]] inline std::string right_alone_of(const Exercise& exercise)
 {
-    return exercise.gl ? std::string(right_alone) + ", or in OpenGL's state" : right_alone;
+    return exercise.gl_calls ? std::string(right_alone) + ", or in OpenGL's state" : right_alone;
 }
 
 /// What is said of a check that is right unless other questions are asked in between (unit/beside_itself.hpp).

@@ -18,6 +18,7 @@ constexpr std::size_t most_functions = 3;
 /// everywhere is stopped at one question today and at another tomorrow: only a loop that begins early, and does not
 /// end, is told from it.
 constexpr double part_without_loop = 0.25;
+constexpr double least_without_loop = 0.5;  ///< seconds: what starting a run takes on a busy machine, several times
 
 template <class Number>
 void make_wrong(std::span<std::byte> bytes)
@@ -102,7 +103,7 @@ void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& buil
             else if (endless)
                 one.hung.push_back(name);
         }
-        if (endless) allowed *= part_without_loop;
+        if (endless) allowed = std::max(allowed * part_without_loop, least_without_loop);
         if (seconds > exercise.limits.wall_seconds || !worker.spare_time().is_left()) return;
         last = worker.run_past(exercise, built, case_name, one.seed, passed_over, allowed);
         seconds += last.wall_seconds;
