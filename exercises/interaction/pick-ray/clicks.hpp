@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -107,6 +108,60 @@ inline std::vector<Click> clicks_at_whole_places(Random& random, int count)
         Click outside = inside;
         const int axis = i / 4 % 2;
         outside.cursor[axis] = i % 2 == 0 ? window[axis] : -1;
+        add_pair(clicks, inside, outside, random);
+    }
+    return clicks;
+}
+
+/// A cursor on a border between pixels of a window `window` wide, of whose framebuffer the scale is no short fraction.
+struct OddBorder {
+    int window;
+    int framebuffer;
+    int cursor;
+
+    [[nodiscard]] int pixel() const { return static_cast<int>(std::int64_t{cursor} * framebuffer / window); }
+    /// Does the cursor come to lie before the border, if the scale is computed first, or the size of a pixel?
+    [[nodiscard]] bool is_missed_by_scale() const
+    {
+        return cursor * (static_cast<double>(framebuffer) / window) < pixel();
+    }
+    [[nodiscard]] bool is_missed_by_size() const
+    {
+        return cursor / (static_cast<double>(window) / framebuffer) < pixel();
+    }
+};
+
+/// A border that one of the two ways misses. About one in thirty is missed by either.
+inline OddBorder odd_border(Random& random, bool by_scale)
+{
+    OddBorder border{110, 248, 55};
+    if (!by_scale) border = {732, 878, 366};
+    for (int i = 0; i < 1000; ++i) {
+        const int steps = random_between(8, 40, random);
+        const int window = random_between(10, 25, random);
+        const int framebuffer = random_between(window, 3 * window, random);
+        const OddBorder drawn{steps * window, steps * framebuffer, window * random_between(1, steps - 1, random)};
+        if (by_scale ? drawn.is_missed_by_scale() : drawn.is_missed_by_size()) return drawn;
+    }
+    return border;
+}
+
+/// `count` pairs at whole places of the cursor where the product cursor * framebuffer leads to the border, and both the
+/// scale framebuffer / window and the size of a pixel, window / framebuffer, are rounded such that one of them leads
+/// into the pixel before it: along one axis the first, along the other one the second.
+inline std::vector<Click> clicks_at_odd_scales(Random& random, int count)
+{
+    constexpr std::array<OddBorder, 4> known = {{{190, 238, 95}, {732, 878, 366}, {110, 248, 55}, {174, 218, 87}}};
+    std::vector<Click> clicks;
+    for (int i = 0; i < count; ++i) {
+        const bool first = i % 2 == 0;
+        const auto which = static_cast<std::size_t>(i);
+        const OddBorder x = which < known.size() ? known.at(which) : odd_border(random, first);
+        const OddBorder y = odd_border(random, !first);
+        const Click inside{{x.cursor, y.cursor}, {x.window, y.window}, {x.framebuffer, y.framebuffer}};
+        Click outside = inside;
+        const int axis = i / 2 % 2;
+        outside.cursor[axis] = i % 3 == 0 ? inside.window[axis] : -1;
         add_pair(clicks, inside, outside, random);
     }
     return clicks;

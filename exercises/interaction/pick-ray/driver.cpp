@@ -34,6 +34,7 @@ void record_borders(Recorder& out, Random& random)
     record_clicks(out, clicks_at_borders(random, 48));
     record_clicks(out, clicks_beside_borders(random, 32));
     record_clicks(out, clicks_at_whole_places(random, 40));
+    record_clicks(out, clicks_at_odd_scales(random, 36));
 }
 
 // The course's view, and others that a hand can work out: pictures of few pixels, cameras along the axes.

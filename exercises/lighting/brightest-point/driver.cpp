@@ -32,6 +32,29 @@ void record_is_seen(Recorder& out, const Sphere& sphere, const glm::vec3& point,
     out.append("is seen", ask<is_seen>(out, sphere, point, eye));
 }
 
+/// A sphere's own turned exactly, its places and its light. Unless inputs are to vary, as it is.
+LitSphere turned(Variation& vary, LitSphere q)
+{
+    const ExactMap map = vary.exact_map(0);
+    for (glm::vec3* const place : {&q.sphere.centre, &q.eye}) *place = map.place(*place);
+    q.light.position = map.place(q.light.position);
+    return q;
+}
+
+// Light and eye at equal angles and different distances from a point that a hand works out: (0, 1, 0), (3, 4, 0), …
+// The half vector of the directions from the centre leads elsewhere.
+std::vector<LitSphere> uneven_by_hand()
+{
+    return {{{{0, 0, 0}, 1}, {{3, 5, 0, 1}}, {-6, 9, 0}},
+            {{{0, 0, 0}, 5}, {{2, 11, 0, 1}}, {17, 6, 0}},
+            {{{1, 2, 3}, 2}, {{4, 2, 9, 1}}, {-0.5F, 2, 7}},
+            {{{0, 0, 0}, 1}, {{3, 4, 0, 0}}, {-6, 9, 0}},
+            {{{0, 0, 0}, 1}, {{1, 0, 1, 0}}, {4, 0, -3}},
+            {{{0, 0, 0}, 1}, {{0, 12, -6, 1}}, {0, -24, -11}},
+            {{{2, 0, 0}, 0.5F}, {{2, 2.5F, 1.5F, 1}}, {2, 4.5F, -3}},
+            {{{0, 0, 0}, 1}, {{3.6F, 4.8F, 5, 1}}, {6.6F, 8.8F, -10}}};
+}
+
 // Problem 3.9; the same with other sizes, equally far places, directions, and all on one line. Varied, each question is
 // turned exactly, and they come in another order.
 void by_hand(Variation& vary, Recorder& out)
@@ -52,12 +75,8 @@ void by_hand(Variation& vary, Recorder& out)
                                               {{{0, 0, 0}, 1}, {{-1, 2, -8, 1}}, {-3, 6, -24}},
                                               {{{0, 0, 0}, 1}, {{12, -18, 3, 1}}, {4, -6, 1}},
                                               {{{0, 0, 0}, 1}, {{7, 3, -5, 1}}, {14, 6, -10}}};
-    for (LitSphere q : in_random_order(vary, questions)) {
-        const ExactMap map = vary.exact_map(0);
-        for (glm::vec3* const place : {&q.sphere.centre, &q.eye}) *place = map.place(*place);
-        q.light.position = map.place(q.light.position);
-        record(out, q);
-    }
+    for (const LitSphere& q : in_random_order(vary, questions)) record(out, turned(vary, q));
+    for (const LitSphere& q : in_random_order(vary, uneven_by_hand())) record_specular(out, turned(vary, q));
     struct Sight {
         Sphere sphere;
         glm::vec3 point{0};

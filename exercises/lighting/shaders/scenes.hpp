@@ -86,7 +86,13 @@ inline Scene exponents()
     return scene;
 }
 
-/// Small lamps close above a rippled floor: every pixel sees them in another direction.
+/// A floor of two triangles, so large that what is seen of it must be computed at each pixel.
+inline Shape wide_floor(float height)
+{
+    return surface(1, 1, [&](float u, float v) { return glm::vec3(8 * u - 4, height, 4 - 8 * v); });
+}
+
+/// Small lamps close above ripples in a wide floor: every pixel sees them in another direction.
 inline Scene near_lamps()
 {
     Scene scene = scene_from({0, 1.7F, 1.9F}, {0, 0, 0.05F}, 42);
@@ -94,7 +100,9 @@ inline Scene near_lamps()
     add_lamp(scene, {-0.45F, 0.16F, 0.35F}, {0.85F, 0.38F, 0.16F});
     add_lamp(scene, {0.5F, 0.2F, 0.1F}, {0.16F, 0.45F, 0.80F});
     add_lamp(scene, {-0.05F, 0.14F, -0.5F}, {0.35F, 0.70F, 0.25F});
-    scene.things = {{waves(160, 0.035F), glm::mat4(1), plastic({0.62F, 0.60F, 0.58F}, 0.5F, 30)}};
+    scene.things = {
+        {waves(160, 0.06F), placed({0, 0, -0.4F}, glm::vec3(0.7F)), plastic({0.62F, 0.60F, 0.58F}, 0.5F, 30)},
+        {wide_floor(-0.01F), glm::mat4(1), plastic({0.50F, 0.52F, 0.56F}, 0.6F, 16)}};
     return scene;
 }
 
@@ -251,8 +259,7 @@ inline Scene random_scene(Random& random, bool flat)
     }
     Material floor = random_material(random);
     floor.shininess = random.uniform(4, 24);
-    scene.things.push_back(
-        {surface(1, 1, [](float u, float v) { return glm::vec3(8 * u - 4, -1, 4 - 8 * v); }), glm::mat4(1), floor});
+    scene.things.push_back({wide_floor(-1), glm::mat4(1), floor});
     return scene;
 }
 

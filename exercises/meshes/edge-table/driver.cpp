@@ -96,10 +96,13 @@ void record_any_winding(Random& random, Recorder& out)
 void record_wild(Random& random, Recorder& out)
 {
     EdgeLog log(out, "edges");
-    // Short questions: one triangle, and one that is none.
+    // Short questions: one triangle, and one that is none, behind it or before.
     const auto v = in_random_order(random, std::vector<std::uint32_t>{0, 1, 2, 3});
-    for (const glm::uvec3& none : {glm::uvec3(v[0], v[3], v[0]), {v[1], v[1], v[3]}, {v[3], v[2], v[2]}})
-        log.add<edge_table>("two triangles, one is none", {tetrahedron().positions, {{v[0], v[1], v[2]}, none}});
+    const glm::uvec3 one(v[0], v[1], v[2]);
+    for (const glm::uvec3& none : {glm::uvec3(v[0], v[3], v[0]), {v[1], v[1], v[3]}, {v[3], v[2], v[2]}}) {
+        log.add<edge_table>("two triangles, the second is none", {tetrahedron().positions, {one, none}});
+        log.add<edge_table>("two triangles, the first is none", {tetrahedron().positions, {none, one}});
+    }
     for (const Sample& sample : wild_meshes()) {
         IndexedMesh mesh = with_lonely_vertices(sample.mesh, 3);
         const auto last = static_cast<std::uint32_t>(mesh.positions.size()) - 1;
@@ -129,6 +132,11 @@ void record_large_indices(Case& c, Recorder& out)
     }
     log.add<edge_table>("more than 32 bits", equal_keys_in_32_bits(c.vary, c.random));
     log.finish();
+    EdgeLog closed(out, "edges of closed");
+    closed.add<edge_table_of_closed>("tetrahedra, numbers 65,536 apart", tetrahedra_in_16_bits(20, c.random));
+    closed.add<edge_table_of_closed>("ring, numbers 65,536 apart", spread(torus(9, 7), 65'536, c.random));
+    closed.add<edge_table_of_closed>("ball, numbers 40,000 apart", spread(ball(9, 6), 40'000, c.random));
+    closed.finish();
 }
 
 void record_large_mesh(Random& random, Recorder& out)

@@ -21,6 +21,20 @@ inline IndexedMesh scattered(std::uint32_t count)
     return mesh;
 }
 
+/// Tetrahedra, the four vertices of each 65,536 apart: cut to 16 bits they are one.
+inline IndexedMesh tetrahedra_in_16_bits(std::uint32_t count, Random& random)
+{
+    constexpr std::uint32_t step = 65'536;
+    IndexedMesh mesh = scattered(4 * step);
+    const std::uint32_t first = random.below(step - count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t turn = random.below(4);
+        for (const glm::uvec3& t : {glm::uvec3(0, 1, 2), {0, 3, 1}, {0, 2, 3}, {1, 3, 2}})
+            mesh.triangles.push_back((t + turn) % 4U * step + (first + i));
+    }
+    return mesh;
+}
+
 /// Sixteen triangles round a vertex; it is the smaller one of its spokes.
 inline void add_disc(IndexedMesh& mesh, std::uint32_t middle, std::uint32_t rim)
 {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/glm.hpp>
+#include <iterator>
 #include <tuple>
 #include <umbral/meshes/mesh.hpp>
 #include <umbral/meshes/strips.hpp>
@@ -29,18 +30,36 @@ inline std::vector<glm::uvec3> triangles_in(const std::vector<Strip>& strips)
     return triangles;
 }
 
+inline bool comes_before(const glm::uvec3& a, const glm::uvec3& b)
+{
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
+
+inline std::vector<glm::uvec3> sorted(std::vector<glm::uvec3> triangles)
+{
+    for (glm::uvec3& triangle : triangles) triangle = in_order(triangle);
+    std::ranges::sort(triangles, comes_before);
+    return triangles;
+}
+
 /// Do the strips draw these triangles, each as often as the mesh has it?
 inline bool draw_all_of(const std::vector<Strip>& strips, const IndexedMesh& mesh)
 {
-    constexpr auto less = [](const glm::uvec3& a, const glm::uvec3& b) {
-        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-    };
-    std::vector<glm::uvec3> drawn = triangles_in(strips);
-    std::vector<glm::uvec3> wanted;
-    for (const glm::uvec3& triangle : mesh.triangles) wanted.push_back(in_order(triangle));
-    std::ranges::sort(drawn, less);
-    std::ranges::sort(wanted, less);
-    return drawn == wanted;
+    return sorted(triangles_in(strips)) == sorted(mesh.triangles);
+}
+
+/// Of a mesh of n triangles, how many of them the first n indices draw. A triangle that comes twice counts once.
+inline std::size_t drawn_at_first(std::vector<Strip> strips, const IndexedMesh& mesh)
+{
+    std::size_t left = mesh.triangles.size();
+    for (Strip& strip : strips) {
+        strip.resize(std::min(strip.size(), left));
+        left -= strip.size();
+    }
+    std::vector<glm::uvec3> right;
+    std::ranges::set_intersection(sorted(triangles_in(strips)), sorted(mesh.triangles), std::back_inserter(right),
+                                  comes_before);
+    return right.size();
 }
 
 }

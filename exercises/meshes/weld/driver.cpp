@@ -124,7 +124,8 @@ void record_many_vertices(Random& random, Recorder& out)
         out.append("last triangles", i < mesh.triangles.size() ? glm::vec3(mesh.triangles[i]) : glm::vec3(-1));
 }
 
-/// How many vertices there are, and how many corners of the triangles lie where they should.
+/// How many vertices there are, and how many corners of the triangles lie where they should. `soup` is not the one that
+/// the unit got, but equal to that as it was.
 Amount amount_of(const IndexedMesh& mesh, const Soup& soup)
 {
     std::size_t right = 0;
@@ -143,10 +144,10 @@ void record_work(Random& random, Recorder& out)
         // Of any size: a grid that is fine enough for a model in metres holds all of one in kilometres in a cell.
         Soup soup = soup_of(shuffled(torus(side, side), random));
         for (glm::vec3& corner : soup) corner *= 0x1p-20F;
-        record_cost(out, "blocks", soup.size(), [&] { return amount_of(ask<weld>(out, soup), soup); });
+        record_cost(out, "blocks", soup.size(), [&] { return amount_of(ask<weld>(out, Soup(soup)), soup); });
         const Soup diagonal = aligned_soup(side * side, random);
         record_cost(out, "blocks in a diagonal plane", diagonal.size(),
-                    [&] { return amount_of(ask<weld>(out, diagonal), diagonal); });
+                    [&] { return amount_of(ask<weld>(out, Soup(diagonal)), diagonal); });
     }
 }
 

@@ -148,8 +148,9 @@ void record_both_ways(Random& random, Recorder& out)
             };
             return "const auto there = " + call(segment) + "\nconst auto back = " + call(reversed);
         });
-        const std::optional<LineSegment> there = clip_segment(window, segment);
-        const std::optional<LineSegment> back = clip_segment(window, reversed);
+        // The window that the borders are looked up in is not the one that the unit got.
+        const std::optional<LineSegment> there = clip_segment(ClipWindow(window), segment);
+        const std::optional<LineSegment> back = clip_segment(ClipWindow(window), reversed);
         const bool both = there && back;
         const std::array four =
             both ? std::array{there->from, there->to, back->from, back->to} : std::array<glm::vec2, 4>{};

@@ -56,10 +56,18 @@ void record_calls(Recorder& out, std::string_view name, Work&& work)
     gl::record_trace(out, name, gl::end_trace());
 }
 
-void count_alive(Recorder& out)
+/// Says so if the factory made no drawing, before the row of `table` that shows it.
+bool was_made(Recorder& out, std::string_view table, const std::unique_ptr<IndexedDrawing>& drawing)
 {
-    out.columns("alive", "vertex array objects alive, buffers alive");
-    out.append("alive", glm::vec2(living(glIsVertexArray), living(glIsBuffer)));
+    if (!drawing)
+        out.refused(table, "make_indexed_drawing returned nullptr: every mesh has a drawing, also one of no triangles");
+    return drawing != nullptr;
+}
+
+void count_alive(Recorder& out, bool made)
+{
+    out.columns("alive", "vertex array objects alive, buffers alive, the drawing was made (0: nullptr; 1: yes)");
+    out.append("alive", glm::vec3(living(glIsVertexArray), living(glIsBuffer), made ? 1 : 0));
 }
 
 // Another drawing is drawn between the frames: who keeps only what was drawn last sends it again each time.
@@ -85,16 +93,19 @@ void frames(Case& c, Recorder& out)
         }
     });
     out.image("fourth frame", canvas.picture());
-    count_alive(out);
+    count_alive(out, was_made(out, "alive", drawing));
     auto unused = drawing_of(out, polygon(5, {0, 0, 0}, 0.8F, 0), "unused");
+    const bool unused_made = was_made(out, "alive", unused);
     delete_drawing(out, unused, "unused", "made before, and never drawn");
-    count_alive(out);
+    count_alive(out, unused_made);
+    const bool drawing_made = was_made(out, "alive", drawing);
     record_calls(out, "end", [&] { delete_drawing(out, drawing); });
-    count_alive(out);
+    count_alive(out, drawing_made);
     auto empty = drawing_of(out, {}, "empty");
+    const bool empty_made = was_made(out, "alive", empty);
     draw(out, empty);
     delete_drawing(out, empty, "empty", "made before of no triangles, and drawn");
-    count_alive(out);
+    count_alive(out, empty_made);
 }
 
 /// State that has nothing to do with where vertices come from, and for which the software renderer need not compile its
@@ -110,7 +121,7 @@ void choose_state(Random& random)
     glColor4f(random.uniform(), 1 - red, red / 2, 0.5F);
 }
 
-void record_state(Recorder& out)
+void record_state(Recorder& out, bool made)
 {
     const auto enabled = [](GLuint location) {
         GLint value = 0;
@@ -136,12 +147,13 @@ void record_state(Recorder& out)
     glGetFloatv(GL_CURRENT_COLOR, current.data());
     row.insert(row.end(), current.begin(), current.end());
     append_watched(row);
+    row.push_back(made ? 1 : 0);
     const std::string names =
         "GL_VERTEX_ARRAY_BINDING, GL_ARRAY_BUFFER_BINDING, GL_ELEMENT_ARRAY_BUFFER_BINDING, "
         "attribute 0 enabled, attribute 1 enabled, GL_DEPTH_TEST, GL_DEPTH_FUNC, GL_LINE_WIDTH, "
         "GL_POLYGON_MODE front, GL_POLYGON_MODE back, glGetError, current value of attribute 1/4, "
         "GL_CURRENT_COLOR/4, " +
-        watched_columns();
+        watched_columns() + ", the drawing was made (0: nullptr; 1: yes)";
     out.columns("state", names);
     out.append("state", std::span<const float>(row));
 }
@@ -155,14 +167,15 @@ void state(Case& c, Recorder& out)
         const ColoredMesh mesh =
             round % 3 == 2 ? ColoredMesh{} : polygon(5 + round, {0, 0, 0}, 0.8F, c.random.uniform());
         auto drawing = drawing_of(out, mesh);
-        record_state(out);
+        const bool made = was_made(out, "state", drawing);
+        record_state(out, made);
         for (int frame = 0; frame < 3; ++frame) {
             choose_state(c.random);
             draw(out, drawing);
-            record_state(out);
+            record_state(out, made);
         }
         delete_drawing(out, drawing);
-        record_state(out);
+        record_state(out, made);
     }
 }
 

@@ -101,13 +101,14 @@ void frames(Case& c, Recorder& out, Piece::Way way)
 void use(Recorder& out, Case& c, const Stage& stage, const Piece& piece, std::unique_ptr<OutlinedDrawing>& drawing,
          const Bindings& once_made, bool goes)
 {
+    const bool made = piece.way == Piece::Way::sent || was_made(out, drawing);
     stage.clear();
     leave_other_color(out, c.random);
     if (piece.way == Piece::Way::sent)
         draw(out, piece);
     else if (drawing)
         ask<&OutlinedDrawing::draw>(out, *drawing, piece.fill, piece.edges);
-    record_state(out, {piece, once_made, stage.picture(), any_edge(c.random, piece)}, drawing, goes);
+    record_state(out, {piece, once_made, stage.picture(), any_edge(c.random, piece), made}, drawing, goes);
 }
 
 // Each of the three ways in eight rounds, twice in each. What was made and never drawn leaves nothing behind.

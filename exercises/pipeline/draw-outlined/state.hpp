@@ -41,8 +41,16 @@ struct Use {
     const Piece& piece;
     Bindings once_made;
     Image picture;
-    int edge = 0;  ///< where to look
+    int edge = 0;      ///< where to look
+    bool made = true;  ///< whether the factory made a drawing
 };
+
+/// Says so if the factory made no drawing, before the row that shows it.
+inline bool was_made(Recorder& out, const std::unique_ptr<OutlinedDrawing>& drawing)
+{
+    if (!drawing) out.refused("state", "the factory returned nullptr: every table has a drawing, also one of nothing");
+    return drawing != nullptr;
+}
 
 inline void record_state(Recorder& out, const Use& use, std::unique_ptr<OutlinedDrawing>& drawing, bool goes)
 {
@@ -69,6 +77,7 @@ inline void record_state(Recorder& out, const Use& use, std::unique_ptr<Outlined
     append(row, Bindings());
     row.push_back(static_cast<float>(glGetError()));
     append_watched(row);
+    row.push_back(use.made ? 1 : 0);
     const std::string names =
         "GL_POLYGON_MODE front, GL_POLYGON_MODE back, attribute 0 enabled, attribute 1 enabled, "
         "GL_VERTEX_ARRAY_BINDING, GL_ARRAY_BUFFER_BINDING, GL_ELEMENT_ARRAY_BUFFER_BINDING, "
@@ -78,7 +87,7 @@ inline void record_state(Recorder& out, const Use& use, std::unique_ptr<Outlined
         ", vertex arrays alive, buffers alive, vertex arrays alive when it has gone, buffers alive when it has gone, "
         "vertex array bound when it has gone, array buffer bound when it has gone, "
         "element buffer bound when it has gone, glGetError, " +
-        watched_columns();
+        watched_columns() + ", the drawing was made (0: nullptr; 1: yes)";
     out.columns("state", names);
     out.append("state", std::span<const float>(row));
 }

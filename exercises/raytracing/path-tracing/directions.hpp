@@ -11,10 +11,12 @@
 /// What directions that are drawn about a normal are like.
 namespace umbral::raytracing {
 
-/// Along the axes, both ways, and across; each asks for another way to find vectors across.
+/// Along the axes, both ways, and across, once equally far from all axes; each asks for another way to find vectors
+/// across.
 inline std::vector<glm::vec3> normals_of_directions()
 {
-    return {{0, 1, 0}, {0, 0, -1}, {-1, 0, 0}, {0.48F, -0.6F, 0.64F}, {0, 0, 1}, {-0.48F, 0.64F, -0.6F}};
+    return {
+        {0, 1, 0}, {0, 0, -1}, {-1, 0, 0}, {0.48F, -0.6F, 0.64F}, {0, 0, 1}, {-0.57735027F, 0.57735027F, -0.57735027F}};
 }
 /// The same about other axes, if inputs are to vary.
 inline std::vector<glm::vec3> normals_of_directions(Variation& vary)
@@ -39,8 +41,17 @@ public:
         const float n = dot(direction, n_);
         const float x = dot(direction, x_);
         const float y = dot(direction, y_);
-        const std::array<float, 8> values{
-            n, x, y, x * x, x * y, (x + y) * (n - 0.6F), n < 0.5F ? 1.0F : 0.0F, n > 0.95F ? 1.0F : 0.0F};
+        const auto share = [](bool counts) { return counts ? 1.0F : 0.0F; };
+        const std::array<float, 10> values{n,
+                                           x,
+                                           y,
+                                           x * x,
+                                           x * y,
+                                           (x + y) * (n - 0.6F),
+                                           share(n < 0.5F),
+                                           share(n < 0.26F),
+                                           share(n > 0.95F),
+                                           share(n > 0.985F)};
         for (std::size_t i = 0; i < values.size(); ++i) sums_[i] += values[i];
         // Of successive directions that are independent, the mean of these products is 0.
         const glm::vec3 centred(n - 2.0F / 3, x, y);
@@ -58,7 +69,7 @@ private:
     glm::vec3 n_;
     glm::vec3 x_;
     glm::vec3 y_;
-    std::array<float, 8> sums_{};
+    std::array<float, 10> sums_{};
     glm::vec3 products_{0};
     glm::vec3 last_{0};
     int count_ = 0;
@@ -73,7 +84,9 @@ inline std::string names_of_moments(std::size_t normals)
                                "The product of the parts along x and y",
                                "The part across, weighted by the height",
                                "The share of directions beyond 60 degrees from the normal",
+                               "The share of directions beyond 75 degrees from the normal",
                                "The share of directions within 18 degrees of the normal",
+                               "The share of directions within 10 degrees of the normal",
                                "The product of two successive parts along the normal, less their means",
                                "The product of two successive parts along x",
                                "The product of two successive parts along y"};

@@ -4,7 +4,7 @@
 #include "../cast.hpp"
 #include "../estimates.hpp"
 #include "../rays.hpp"
-#include "questions.hpp"
+#include "furnaces.hpp"
 
 namespace umbral {
 namespace {
@@ -61,7 +61,7 @@ void record_directions(Case& c, Recorder& out)
         for (const glm::vec3& normal : normals) {
             Random own = own_random(c.random);
             DirectionMoments moments(normal);
-            for (int i = 0; i < 8; ++i) moments.add(ask<cosine_direction>(out, normal, own));
+            for (int i = 0; i < 64; ++i) moments.add(ask<cosine_direction>(out, normal, own));
             moments.append_to(row);
         }
         out.append("moments", row);
@@ -73,11 +73,17 @@ void record_directions(Case& c, Recorder& out)
 void record_views(Random& random, Recorder& out, const std::vector<RoomView>& views, int replicates)
 {
     for (const RoomView& view : views) introduce(out, view.room, view.name);
+    DiffuseRoom shown;
     for (int replicate = 0; replicate < replicates; ++replicate) {
         std::vector<float> row;
         for (const RoomView& view : views) {
             Random own = own_random(random);
-            const glm::vec3 light = ask<path_light>(out, view.room, view.ray, view.bounces, view.samples, own);
+            if (view.takes_turns) {
+                shown = view.room;
+                introduce(out, shown, view.name);
+            }
+            const DiffuseRoom& room = view.takes_turns ? shown : view.room;
+            const glm::vec3 light = ask<path_light>(out, room, view.ray, view.bounces, view.samples, own);
             row.insert(row.end(), {light.r, light.g, light.b});
         }
         out.append("light", row);
@@ -141,6 +147,9 @@ const Driver driver = {
     {"directions", [](Case& c, Recorder& out) { record_directions(c, out); }},
     {"one bounce", [](Case& c, Recorder& out) { record_views(c.random, out, varied(c.vary, one_bounce()), 256); }},
     {"furnace", [](Case& c, Recorder& out) { record_views(c.random, out, varied(c.vary, furnaces()), 256); }},
+    {"long paths", [](Case& c, Recorder& out) { record_views(c.random, out, long_paths(c.vary), 256); }},
+    {"switched lamps",
+     [](Case& c, Recorder& out) { record_views(c.random, out, varied(c.vary, switched_lamps()), 256); }},
     {"promises", [](Case& c, Recorder& out) { record_promises(c.random, out); }},
     {"secret", [](Case& c, Recorder& out) { record_secret(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { record_picture(c, out, 96, 16); }},

@@ -114,6 +114,7 @@ struct RoomView {
     Ray ray;
     int bounces;
     int samples;
+    bool takes_turns = false;  ///< at an address where other rooms were before
 };
 
 /// The views with their rooms in other light, if inputs are to vary.
@@ -181,51 +182,12 @@ inline std::vector<RoomView> one_bounce()
     return views;
 }
 
-/// Inside a closed surface that shines everywhere alike, E with the albedo a, all that is seen is
-/// E (1 + a + … + a^bounces).
-inline RoomView furnace(const char* name, const glm::vec3& albedo, int bounces, int samples)
-{
-    RoomView view{name, DiffuseRoom(), Ray{{0.3F, -0.2F, 0.1F}, {0.3F, 0.5F, -0.7F}}, bounces, samples};
-    view.room.add(SolidBall{{0, 0, 0}, 1}, Paint{albedo, {0.5F, 1, 0.75F}});
-    return view;
-}
-
 /// Views whose estimates all differ a little, without long tails, however they are made: lamps may be missed.
 inline std::vector<RoomView> promised_views()
 {
     std::vector<RoomView> views{floor_view("the sky on the floor", {{0.2F, 0.4F, 0.6F}, {1.5F, 1, 0.5F}}, {}),
                                 floor_view("a sky with a dark zenith", {{1, 0.8F, 0.9F}, {0.1F, 0.2F, 0.3F}}, {})};
     views[1].bounces = all_bounces;
-    return views;
-}
-
-/// Albedos stay below 3/4 where all bounces count: with uniform directions and survival by albedo, the variance of an
-/// estimate is infinite beyond.
-inline std::vector<RoomView> furnaces()
-{
-    std::vector<RoomView> views{furnace("a furnace, one bounce", {0.8F, 0.5F, 0.2F}, 1, 8),
-                                furnace("a furnace, two bounces", {0.4F, 0.8F, 0.6F}, 2, 8),
-                                furnace("a furnace, six bounces", {0.7F, 0.5F, 0.6F}, 6, 8),
-                                furnace("a furnace, all bounces", {0.6F, 0.3F, 0.5F}, all_bounces, 8),
-                                furnace("a furnace of red and blue, six bounces", {0.45F, 0, 0.3F}, 6, 8),
-                                furnace("a furnace of green and blue, six bounces", {0, 0.45F, 0.3F}, 6, 8),
-                                furnace("a furnace of red and green, six bounces", {0.3F, 0.45F, 0}, 6, 8),
-                                // The eleventh reflection is still a fiftieth of its light: found by many paths.
-                                furnace("a bright furnace, all bounces", {0.7F, 0.65F, 0.5F}, all_bounces, 512)};
-    // The sky's light above all, found by long paths and by short ones, which leave in other directions.
-    RoomView niche{"a deep niche under the sky, all bounces", DiffuseRoom({{0.5F, 0.75F, 1}, {2, 1, 0.5F}}),
-                   Ray{{0.1F, 1, 0.5F}, {-0.3F, -0.2F, -1}}, all_bounces, 256};
-    add_walls(niche.room, {glm::vec3(0.7F), {0.7F, 0.6F, 0.5F}, {0.5F, 0.6F, 0.7F}, glm::vec3(0.7F), glm::vec3(0.7F)});
-    niche.room.add_lamp({{-0.2F, 1.9F, -0.2F}, {0.4F, 0, 0}, {0, 0, 0.4F}, {0.3F, 0.4F, 0.2F}}, glm::vec3(0.5F));
-    views.push_back(niche);
-    // Two colours that shine on each other, and a lamp among them.
-    RoomView box{"a closed box, all bounces", DiffuseRoom(), Ray{{0.2F, 0.9F, 0.8F}, {-0.5F, -0.6F, -1}}, all_bounces,
-                 8};
-    add_walls(box.room,
-              {{0.6F, 0.3F, 0.5F}, {0.6F, 0.2F, 0.2F}, {0.2F, 0.6F, 0.4F}, glm::vec3(0.6F), glm::vec3(0.65F)});
-    box.room.add(SolidQuad{{-1, 0, 1}, {2, 0, 0}, {0, 2, 0}}, Paint{glm::vec3(0.5F)});
-    box.room.add_lamp({{-0.7F, 1.99F, -0.7F}, {1.4F, 0, 0}, {0, 0, 1.4F}, {3, 3, 3}}, glm::vec3(0.6F));
-    views.push_back(box);
     return views;
 }
 

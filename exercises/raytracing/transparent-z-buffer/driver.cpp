@@ -37,8 +37,8 @@ void record_empty(Case& what, Recorder& out)
 
 void record_opaque(Case& what, Recorder& out)
 {
-    for (int i = 0; i < 40; ++i) {
-        const GlassTask task = random_task(what.random);
+    for (int i = 0; i < 52; ++i) {
+        const GlassTask task = i < 12 ? nan_task(what.random) : random_task(what.random);
         record_drawn<draw_opaque>(out, task.frame, task.opaque);
     }
 }
@@ -47,16 +47,16 @@ void record_filtered(Case& what, Recorder& out)
 {
     const GlassTask sheets = three_sheets(what.vary);
     record_drawn<filter_glass>(out, sheets.frame, sheets.glass);
-    for (int i = 0; i < 40; ++i) {
-        const GlassTask task = random_task(what.random);
+    for (int i = 0; i < 52; ++i) {
+        const GlassTask task = i < 12 ? nan_task(what.random) : random_task(what.random);
         record_drawn<filter_glass>(out, task.frame, task.glass);
     }
 }
 
 void record_blended(Case& what, Recorder& out)
 {
-    for (int i = 0; i < 40; ++i) {
-        const GlassTask task = random_task(what.random);
+    for (int i = 0; i < 52; ++i) {
+        const GlassTask task = i < 12 ? nan_task(what.random) : random_task(what.random);
         record_drawn<blend_glass>(out, task.frame, task.glass);
     }
 }

@@ -62,4 +62,23 @@ inline GlassTask rare_task(Random& random, Rare kind)
     return task;
 }
 
+/// One pixel and two or three fragments in front of it, the depth of one of which is no number: the others decide.
+inline GlassTask nan_task(Random& random)
+{
+    GlassTask task{{Grid<glm::vec3>(1, 1, random_light(random, 1)), Grid<float>(1, 1, 1.0F)}};
+    const std::uint32_t count = 2 + random.below(2);
+    const std::uint32_t which = random.below(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        GlassFragment fragment;
+        const float depth = random.uniform(0.125F, 0.875F);
+        fragment.depth = i == which ? std::numeric_limits<float>::quiet_NaN() : depth;
+        fragment.light = random_light(random, 1);
+        fragment.k_t = random.uniform(0.25F, 0.75F);
+        fragment.m_t = glm::vec3(1) - random_light(random, 0.5F);
+        task.glass.push_back(fragment);
+        task.opaque.push_back({fragment.pixel, fragment.depth, fragment.light});
+    }
+    return task;
+}
+
 }

@@ -10,6 +10,22 @@ namespace umbral::texturing {
 
 // Rubric 4: textures.
 
+/// What a part that nobody knows leaves: no texture bound, textures off or on, coordinates generated its own way or
+/// not.
+inline void leave_other_textures(Recorder& out, Random& random)
+{
+    const auto switched = [&](GLenum mode) { random.below(2) == 0 ? glEnable(mode) : glDisable(mode); };
+    ask_in_words(out, [] { return "// somebody else binds no texture, and switches textures and generation"; });
+    glBindTexture(GL_TEXTURE_2D, 0);
+    switched(GL_TEXTURE_2D);
+    for (const auto& [coordinate, mode] : {std::pair{GL_S, GL_TEXTURE_GEN_S}, {GL_T, GL_TEXTURE_GEN_T}}) {
+        const glm::vec4 plane(random.in_cube(), random.uniform());
+        glTexGeni(coordinate, GL_TEXTURE_GEN_MODE, random.below(2) == 0 ? GL_EYE_LINEAR : GL_OBJECT_LINEAR);
+        glTexGenfv(coordinate, GL_OBJECT_PLANE, value_ptr(plane));
+        switched(mode);
+    }
+}
+
 inline void show_texture(Recorder& out, const char* name, glm::ivec2 corner, LabTexture& texture, int height)
 {
     glViewport(corner.x, height - corner.y - texture.picture.height, texture.picture.width, texture.picture.height);
@@ -18,10 +34,11 @@ inline void show_texture(Recorder& out, const char* name, glm::ivec2 corner, Lab
     out.tile(name, corner.x, corner.y, texture.picture.width, texture.picture.height);
 }
 
-/// Each texel is one pixel. The textures are activated in turn, and one of them again in the end.
+/// Each texel is one pixel. The textures are activated in turn, each again after somebody else's state, and one of them
+/// in the end.
 inline void record_textures(Recorder& out, Random& random, bool generates)
 {
-    constexpr int height = 64;
+    constexpr int height = 128;
     constexpr std::array<glm::ivec2, 4> sizes = {{{37, 23}, {64, 64}, {30, 41}, {1, 1}}};
     const gl::Framebuffer target(144, height);
     target.clear();
@@ -39,6 +56,8 @@ inline void record_textures(Recorder& out, Random& random, bool generates)
     int left = 0;
     for (LabTexture& texture : textures) {
         show_texture(out, "texels", {left, 0}, texture, height);
+        leave_other_textures(out, random);
+        show_texture(out, "texels", {left, 64}, texture, height);
         left += texture.picture.width + 1;
     }
     show_texture(out, "texels", {0, 40}, textures[0], height);
@@ -90,6 +109,33 @@ inline void materials(Case&, Recorder& out)
         record_material(out, "numbers", *material, &label, &wood);
 }
 
+/// A material that nobody knows, with or without light and textures.
+inline void leave_other_material(Recorder& out, Random& random)
+{
+    ask_in_words(out, [] { return "// somebody else sets a material, and switches light and textures"; });
+    for (const GLenum mode : {GL_LIGHTING, GL_TEXTURE_2D}) random.below(2) == 0 ? glEnable(mode) : glDisable(mode);
+    for (const GLenum part : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR}) {
+        const glm::vec4 color(glm::abs(random.in_cube()), 1);
+        glMaterialfv(GL_FRONT_AND_BACK, part, value_ptr(color));
+    }
+    glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, std::floor(128 * random.uniform()));
+}
+
+inline void record_activated(Recorder& out, const Material& material)
+{
+    ask<activate_material>(out, material);
+    std::vector<float> row;
+    for (const GLenum name : {GL_LIGHTING, GL_TEXTURE_2D}) row.push_back(glIsEnabled(name) == GL_TRUE ? 1.0F : 0.0F);
+    for (const GLenum part : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION}) {
+        std::array<GLfloat, 4> color{};
+        glGetMaterialfv(GL_FRONT, part, color.data());
+        row.insert(row.end(), color.begin(), color.end());
+    }
+    glGetMaterialfv(GL_FRONT, GL_SHININESS, &row.emplace_back());
+    out.append("state", std::span<const float>(row));
+}
+
+// Each material twice, with somebody else's between.
 inline void activated_materials(Case& c, Recorder& out)
 {
     std::array<LabTexture, 2> textures;
@@ -109,17 +155,9 @@ inline void activated_materials(Case& c, Recorder& out)
         if (which < 2) material.texture = &textures[which];
         if (round % 3 == 0) glDisable(GL_LIGHTING);
         if (which >= 2 && round % 2 == 0) glEnable(GL_TEXTURE_2D);
-        ask<activate_material>(out, material);
-        std::vector<float> row;
-        for (const GLenum name : {GL_LIGHTING, GL_TEXTURE_2D})
-            row.push_back(glIsEnabled(name) == GL_TRUE ? 1.0F : 0.0F);
-        for (const GLenum part : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION}) {
-            std::array<GLfloat, 4> color{};
-            glGetMaterialfv(GL_FRONT, part, color.data());
-            row.insert(row.end(), color.begin(), color.end());
-        }
-        glGetMaterialfv(GL_FRONT, GL_SHININESS, &row.emplace_back());
-        out.append("state", std::span<const float>(row));
+        record_activated(out, material);
+        leave_other_material(out, c.random);
+        record_activated(out, material);
     }
 }
 

@@ -9,10 +9,9 @@ std::optional<glm::ivec2> pick_pixel(const glm::dvec2& cursor, const glm::ivec2&
     glm::ivec2 pixel;
     for (int i = 0; i < 2; i++) {
         if (window[i] <= 0 || framebuffer[i] <= 0) return std::nullopt;
-        const double width_of_pixel = double(window[i]) / framebuffer[i];
-        const double place = cursor[i] / width_of_pixel;
-        if (!(place >= 0) || !(place < framebuffer[i])) return std::nullopt;
-        pixel[i] = static_cast<int>(place);
+        const double steps = cursor[i] * framebuffer[i];  // window[i] of them are a pixel
+        if (!(steps >= 0) || !(steps < double(window[i]) * framebuffer[i])) return std::nullopt;
+        pixel[i] = static_cast<int>(steps / window[i]);
     }
     return pixel;
 }
