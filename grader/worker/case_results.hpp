@@ -24,7 +24,7 @@ struct CaseResult {
     std::string place;  ///< where it crashed: "sphere.cpp:17"
     double reference_seconds = 0;
     std::vector<std::string> hung{};  ///< the functions that did not end, and the first of those that call them
-    std::string asked{};  ///< the question in which the run ended, as code; empty if it is not known
+    std::string asked{};              ///< the question in which the run ended, as code; empty if it is not known
     bool beside = false;  ///< `student` is the run beside itself, in which answers are wrong that are right without it
     std::optional<RunOutcome> past{};  ///< the same without the questions in which it crashed, or reached a stub
 
