@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
@@ -174,6 +175,17 @@ TEST(Png, a_full_disk_is_an_exception_and_leaves_the_old_file)
         folder, [](const umbral::test::TemporaryFolder& disk) { write_png(disk / "b.png", noise(300, 300)); });
     EXPECT_NE(outcome, FullDisk::failed);
     if (outcome == FullDisk::cannot_mount) GTEST_SKIP() << "a real full disk needs root";
+}
+
+// `umbral render --out /dev/null` put a file in the place of the device.
+TEST(Png, what_is_no_file_is_not_replaced)
+{
+    const umbral::test::TemporaryFolder folder;
+    const std::filesystem::path pipe = folder / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_NE(complaint([&] { write_png(pipe, noise(3, 3)); }).find("expected a file to write"), std::string::npos);
+    EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+    EXPECT_EQ(folder.count(), 1);
 }
 
 TEST(Png, a_missing_folder_is_an_exception_with_the_path)

@@ -145,6 +145,10 @@ void expect_whole(const std::filesystem::path& path, std::span<const unsigned ch
 
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes)
 {
+    std::error_code unknown;
+    const std::filesystem::file_status status = std::filesystem::status(path, unknown);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        refuse(path, "expected a file to write, or a new name; this is a folder or a device");
     TemporaryFile file(path);
     file.write(bytes);
     file.keep();

@@ -29,7 +29,7 @@ void write_png(const std::filesystem::path& path, const Image& image);
 ///
 /// Readers see the old file or the whole new one, never a part. Throws std::runtime_error with the path and the
 /// system's reason (a full disk, a missing folder, no permission); the temporary file is then removed and an old `path`
-/// is left as it was.
+/// is left as it was. What is no file, as /dev/null, would be replaced by one: it is refused.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 }
