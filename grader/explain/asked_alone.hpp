@@ -21,6 +21,12 @@ inline constexpr const char* right_alone =
     return exercise.gl_calls ? std::string(right_alone) + ", or in OpenGL's state" : right_alone;
 }
 
+/// Was it found that something is kept from one call to the next, so that no other question shows anything?
+[[nodiscard]] inline bool keeps_something(const CheckResult& result)
+{
+    return result.beside || result.common.starts_with(right_alone);
+}
+
 /// What is said of a check that is right unless other questions are asked in between (unit/beside_itself.hpp).
 inline constexpr const char* right_without_others =
     "all of this is answered right if nothing else is asked in between: your code keeps something from one call to the "

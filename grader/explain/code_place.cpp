@@ -163,11 +163,9 @@ std::vector<std::size_t> failing_checks(Worker& worker, const Exercise& exercise
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const CaseResult& one = cases.at(exercise.checks[i].case_name);
-        const bool kept_something = result.checks[i].common.starts_with(right_alone) || result.checks[i].beside;
         // Of estimates by chance no single one is wrong or right.
-        const bool by_chance = judge_of(exercise.checks[i]).judge_both != nullptr;
-        if (fails(result.checks[i]) && !kept_something && !by_chance && one.reached && one.cause().empty() &&
-            may_repeat(worker, exercise, one))
+        if (fails(result.checks[i]) && !keeps_something(result.checks[i]) && !is_by_chance(exercise.checks[i]) &&
+            one.reached && one.cause().empty() && may_repeat(worker, exercise, one))
             found.push_back(i);
     }
     std::ranges::stable_sort(

@@ -23,6 +23,23 @@ bool is_whole_argument(std::string_view place)
     return place.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
+/// What the parameters of functions are called, looked up once for each.
+class ParameterNames {
+public:
+    explicit ParameterNames(const std::string& headers) : headers_(headers) {}
+
+    [[nodiscard]] const std::vector<std::string>& of(const std::string& function)
+    {
+        const auto [known, is_new] = names_.try_emplace(function);
+        if (is_new && !function.empty()) known->second = parameter_names(headers_, function);
+        return known->second;
+    }
+
+private:
+    const std::string& headers_;
+    std::map<std::string, std::vector<std::string>> names_;
+};
+
 /// Ways to misunderstand one part of the arguments.
 class Turns {
 public:
@@ -98,24 +115,19 @@ bool may_be_angle(const std::string& words)
 }
 
 /// Is a quantity that is no angle changed as an angle is?
-bool is_no_angle(const OtherQuestion& one, const std::string& headers,
-                 std::map<std::string, std::vector<std::string>>& parameters)
+bool is_no_angle(const OtherQuestion& one, ParameterNames& parameters)
 {
-    if (!one.change.starts_with("turned from ")) return false;
-    const auto [known, is_new] = parameters.try_emplace(one.function);
-    if (is_new && !one.function.empty()) known->second = parameter_names(headers, one.function);
-    return !may_be_angle(in_words(one.place, known->second));
+    return one.change.starts_with("turned from ") && !may_be_angle(in_words(one.place, parameters.of(one.function)));
 }
 
-void add_known(const QuestionLog& log, const std::string& headers, AllTurns& turns)
+void add_known(const QuestionLog& log, ParameterNames& parameters, AllTurns& turns)
 {
-    std::map<std::string, std::vector<std::string>> parameters;
     std::map<Key, std::size_t> times;
     for (const OtherQuestion& one : log.others) ++times[key_of(one)];
     std::set<Key> added;
     for (std::size_t i = 0; i < log.others.size(); ++i) {
         const OtherQuestion& one = log.others[i];
-        if (!added.insert(key_of(one)).second || is_no_angle(one, headers, parameters)) continue;
+        if (!added.insert(key_of(one)).second || is_no_angle(one, parameters)) continue;
         QuestionInTurn question{one};
         if (i + 1 < log.others.size()) {
             const OtherQuestion& next = log.others[i + 1];
@@ -144,18 +156,16 @@ void add_together(const std::string& part, std::span<const OtherQuestion> change
 }
 
 /// What is called alike in calls of different functions that objects have their state from.
-void add_of_objects(const QuestionLog& log, const std::vector<OtherQuestion>& plain, const std::string& headers,
+void add_of_objects(const QuestionLog& log, const std::vector<OtherQuestion>& plain, ParameterNames& parameters,
                     AllTurns& turns)
 {
     std::set<std::string> functions;
     for (const auto& [asked, changing] : log.histories) functions.insert(changing.begin(), changing.end());
-    std::map<std::string, std::vector<std::string>> parameters;
-    for (const std::string& one : functions) parameters[one] = parameter_names(headers, one);
     std::map<std::pair<std::string, std::string>, std::vector<OtherQuestion>> alike;
     std::vector<std::pair<std::string, std::string>> order;
     for (const OtherQuestion& one : plain) {
         if (!functions.contains(one.function)) continue;
-        const std::string words = in_words(one.place, parameters[one.function]);
+        const std::string words = in_words(one.place, parameters.of(one.function));
         if (words.starts_with("the ")) continue;
         std::vector<OtherQuestion>& same = alike[{std::string(last_field(words)), one.change}];
         if (same.empty()) order.emplace_back(last_field(words), one.change);
@@ -199,9 +209,10 @@ void add_of_functions(const std::vector<OtherQuestion>& plain, AllTurns& turns)
 std::vector<QuestionInTurn> questions_in_turn(const QuestionLog& log, const std::string& headers)
 {
     AllTurns turns;
-    add_known(log, headers, turns);
+    ParameterNames parameters(headers);
+    add_known(log, parameters, turns);
     const std::vector<OtherQuestion> plain = plain_changes(log);
-    add_of_objects(log, plain, headers, turns);
+    add_of_objects(log, plain, parameters, turns);
     add_of_functions(plain, turns);
     return turns.in_turn();
 }

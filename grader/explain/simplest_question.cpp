@@ -136,9 +136,8 @@ bool can_be_simpler(const Check& check, const CheckResult& result)
     const JudgeRecord& judge = judge_of(check);
     const std::optional<Difference>& first = shown_first(result);
     // Where the answer depends on the calls before, another question shows nothing.
-    return !result.beside && !result.common.starts_with(right_alone) && result.score < check.points &&
-           !check.relation && !judge.free_rows && judge.plain_values && judge.look == Look::none && first &&
-           !first->question.empty();
+    return !keeps_something(result) && result.score < check.points && !check.relation && !judge.free_rows &&
+           judge.plain_values && judge.look == Look::none && first && !first->question.empty();
 }
 
 }

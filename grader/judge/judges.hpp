@@ -29,6 +29,7 @@ namespace umbral::grader {
 }
 
 /// Is what the check looks at a picture or a buffer?
+[[nodiscard]] inline bool is_by_chance(const Check& check) { return judge_of(check).judge_both != nullptr; }
 [[nodiscard]] inline bool is_picture(const Check& check) { return judge_of(check).look != Look::none; }
 /// … and this value of it one that can be drawn?
 [[nodiscard]] bool can_be_drawn(const Check& check, const Tensor& tensor);

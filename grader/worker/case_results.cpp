@@ -233,7 +233,7 @@ CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutc
                                     : judge(check, *observed(check, one.student), *expected, margin, names);
     take_judgement(check, judgement, basis.control, result);
     add_refusal(check, one.student, result);
-    if (judge_of(check).judge_both != nullptr) result.seeds = {one.seed};
+    if (is_by_chance(check)) result.seeds = {one.seed};
     return result;
 }
 

@@ -28,6 +28,8 @@ inline constexpr bool is_changed =
 template <class Kept>
 inline constexpr bool is_list_to_fill = is_changed<Kept>&& GrowingList<std::remove_reference_t<Kept>>;
 
+inline constexpr const char* filled_list = "filled";  ///< what such a list is called in code
+
 /// What the arguments that are changed are called in code: "filled" the list, "changed" and "changed_2" others; empty
 /// what is none.
 template <class... Kept>
@@ -40,7 +42,7 @@ std::array<std::string, sizeof...(Kept)> names_of_changed()
     [[maybe_unused]] const auto add = [&](bool is_list, bool is_any) {
         std::string& name = names[place++];
         if (is_list)
-            name = "filled";
+            name = filled_list;
         else if (is_any)
             name = ++changed == 1 ? "changed" : "changed_" + std::to_string(changed);
     };
@@ -94,12 +96,12 @@ std::string code_of_call(const Questions& questions, std::string_view function, 
         if (!questions.name_of(&argument).empty()) name.clear();
         if (name.empty()) return;
         made += "auto " + name + " = " + argument_text(questions, argument) + ";\n";
-        if (comes_out.empty() || name == "filled") comes_out = name;
+        if (comes_out.empty() || name == filled_list) comes_out = name;
     };
     [&]<std::size_t... Index>(std::index_sequence<Index...>) { (make(std::get<Index>(arguments)), ...); }
     (std::index_sequence_for<Kept...>{});
     const std::string call = made + call_text(questions, function, arguments, names);
-    const bool is_told = !std::is_void_v<Result> && comes_out != "filled";
+    const bool is_told = !std::is_void_v<Result> && comes_out != filled_list;
     return comes_out.empty() || is_told ? call : call + ";\n" + comes_out;
 }
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <array>
 #include <cctype>
 #include <utility>
@@ -48,20 +50,18 @@ Markup first_difference(const CheckResult& check)
         first.where, first.yours, first.expected);
 }
 
-Markup question(const CheckResult& check)
+/// A question as code below a sentence; nothing if it is not known.
+Markup asked_code(const std::string& sentence, const std::string& code)
 {
-    if (!check.first_difference || check.first_difference->question.empty()) return {};
-    return markup("<p class=\"question\">At {} this was asked:</p>\n<pre class=\"question\"><code>{}</code></pre>\n",
-                  check.first_difference->where, check.first_difference->question);
+    if (code.empty()) return {};
+    return markup("<p class=\"question\">{}</p>\n<pre class=\"question\"><code>{}</code></pre>\n", sentence, code);
 }
 
-/// Where the case crashed, or did not end.
-Markup last_question(const CheckResult& check)
+Markup question(const CheckResult& check)
 {
-    if (check.last_question.empty()) return {};
-    return markup(
-        "<p class=\"question\">Its case ended in this question:</p>\n<pre class=\"question\"><code>{}</code></pre>\n",
-        check.last_question);
+    if (!check.first_difference) return {};
+    return asked_code(fmt::format("At {} this was asked:", check.first_difference->where),
+                      check.first_difference->question);
 }
 
 /// Where lists and files in the question stand with all their elements.
@@ -149,7 +149,7 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
     result += "</p></header>\n";
     if (!check.about.empty()) result += markup("<p class=\"about\"><span>Looks at:</span> {}</p>\n", check.about);
     if (!check.message.empty()) result += markup("<p class=\"message\">{}</p>\n", shown_message(check, detail));
-    result += last_question(check);
+    result += asked_code("Its case ended in this question:", check.last_question);
     if (!check.common.empty()) result += markup("<p class=\"common\">{}</p>\n", sentence(check.common));
     if (!check.practice.empty())
         result += markup("<p class=\"common\">{}</p>\n", sentence("on practice inputs: " + check.practice));
