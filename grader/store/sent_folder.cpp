@@ -15,6 +15,18 @@ namespace umbral::grader {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Removes a link, pipe, socket or device of this name. Files and folders stay.
+void remove_what_was_planted(const fs::path& name)
+{
+    std::error_code unknown;
+    const fs::file_status status = fs::symlink_status(name, unknown);
+    if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) fs::remove(name, unknown);
+}
+
+}
+
 void make_folder_below(const fs::path& root, const fs::path& below)
 {
     fs::path folder = root;
@@ -38,6 +50,7 @@ void make_folder_below(const fs::path& root, const fs::path& below)
 void write_file_below(const fs::path& root, const fs::path& below, std::span<const std::byte> bytes)
 {
     make_folder_below(root, below.parent_path());
+    remove_what_was_planted(root / below);
     write_file_atomically(root / below, bytes);
 }
 

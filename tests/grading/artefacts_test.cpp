@@ -33,8 +33,10 @@ TEST(Artefacts, take_the_place_of_planted_files)
     fs::create_directory(artefacts);
     fs::create_symlink(precious, artefacts / "link.txt");
     fs::create_hard_link(precious, artefacts / "hard.txt");
+    fs::create_symlink("/dev/null", artefacts / "device.txt");
+    fs::create_symlink(folder.path(), artefacts / "folder.txt");
     ASSERT_EQ(mkfifo((artefacts / "pipe.txt").c_str(), S_IRUSR | S_IWUSR), 0);
-    for (const char* const name : {"link.txt", "hard.txt", "pipe.txt", "new.txt"}) {
+    for (const char* const name : {"link.txt", "hard.txt", "device.txt", "folder.txt", "pipe.txt", "new.txt"}) {
         write_artefact(artefacts / name, bytes);
         EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(artefacts / name))) << name;
         EXPECT_EQ(content_of(artefacts / name), question) << name;
