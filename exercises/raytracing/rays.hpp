@@ -52,7 +52,8 @@ std::vector<Shot> in_pairs(Random& random, std::vector<Shot> shots)
 template <class Shot>
 std::vector<Shot> in_pairs(Variation& vary, std::vector<Shot> shots)
 {
-    return vary ? in_pairs(*vary.random(), std::move(shots)) : shots;
+    Random* const random = vary.random();
+    return random != nullptr ? in_pairs(*random, std::move(shots)) : shots;
 }
 
 /// The same points of the same line, by a direction that is `length` times as long: t counts in it.

@@ -252,10 +252,18 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     Progress progress(header.asked, header.function, job.passed_over, end);
     Recorder recorder = asks_anything(job.inquiry) ? Recorder(questions) : Recorder(progress);
     recorded = &recorder;
-    std::optional<Companion> companion;
+    std::optional<Companion> other;
+    std::optional<Companion> nearly_same;
     if (job.beside) {
-        companion.emplace(*one, Case{what.name, Random(*job.beside), what.sources, Variation(*job.beside)});
-        progress.at_each_question([&] { companion->take_turn(); });
+        const std::uint64_t stream = *job.beside;
+        other.emplace(*one, Case{what.name, Random(stream), what.sources, Variation(stream)}, 1);
+        nearly_same.emplace(
+            *one, Case{what.name, Random::with_slips(job.stream, stream | 1U), what.sources, Variation::of_few(stream)},
+            0);
+        progress.at_each_question([&] {
+            other->take_turn();
+            nearly_same->take_turn();
+        });
     }
     if (job.inquiry.blocks) {
         trace.emplace(static_cast<std::uintptr_t>(header.library_base), end);

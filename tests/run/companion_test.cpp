@@ -35,7 +35,7 @@ Case asking(const std::string& who, int times)
 }
 
 /// What is asked in which order, if one case asks so often and its companion so often.
-std::vector<std::string> order(int times, int beside)
+std::vector<std::string> order(int times, int beside, unsigned ahead = 0)
 {
     asked_so_far().clear();
     const DriverCase one{"case", ask_often};
@@ -43,7 +43,7 @@ std::vector<std::string> order(int times, int beside)
     std::array<char, 64> function{};
     Progress progress(asked, function, {}, [] {});
     Recorder recorder(progress);
-    Companion companion(one, asking("b", beside));
+    Companion companion(one, asking("b", beside), ahead);
     progress.at_each_question([&] { companion.take_turn(); });
     Case what = asking("a", times);
     one.run(what, recorder);
@@ -63,6 +63,12 @@ TEST(Companion, may_have_fewer_questions)
 {
     EXPECT_EQ(order(3, 1), (std::vector<std::string>{"b0", "a0", "a1", "a2"}));
     EXPECT_EQ(order(2, 0), (std::vector<std::string>{"a0", "a1"}));
+}
+
+TEST(Companion, may_be_some_questions_ahead)
+{
+    EXPECT_EQ(order(3, 5, 1), (std::vector<std::string>{"b0", "b1", "a0", "b2", "a1", "b3", "a2"}));
+    EXPECT_EQ(order(2, 1, 3), (std::vector<std::string>{"b0", "a0", "a1"}));
 }
 
 TEST(Companion, is_left_where_it_is_when_the_first_has_ended)

@@ -168,6 +168,8 @@ void bright(Random& random, Recorder& out)
                 factor = std::pow(10.0F, i % 4 == 3 ? 0.0F : random.uniform(0, i % 3 == 0 ? 30.0F : 7.0F));
             lamps[k].color *= factor;
         }
+        // One channel alone: what is lost in it is lost in no other.
+        if (i % 5 == 4) lamps.front().color[i % 3] *= 1e6F;
         out.append("sums", ask<add_lights>(out, lamps));
     }
 }
@@ -180,7 +182,12 @@ void many_lamps(Random& random, Recorder& out)
         const float many = i == 5 ? 70'000.0F : 1000 * std::pow(20.0F, random.uniform());
         std::vector<Lamp> lamps = random_lamps(random, static_cast<std::uint32_t>(many));
         for (Lamp& lamp : lamps) lamp.amount *= 1e-4F;
-        lamps[i % 2 == 0 ? 0 : random.below(100)] = {glm::vec3(8000) + 500.0F * random.in_cube(), 1};
+        glm::vec3 bright = glm::vec3(8000) + 500.0F * random.in_cube();
+        // Or in one channel alone: what is lost in it is lost in no other.
+        if (i % 2 == 1)
+            for (int channel = 0; channel < 3; ++channel)
+                if (channel != i / 2 % 3) bright[channel] = random.uniform(0.5F, 1);
+        lamps[i % 2 == 0 ? 0 : random.below(100)] = {bright, 1};
         out.append("sums", ask<add_lights>(out, lamps));
     }
 }

@@ -52,11 +52,12 @@ inline std::vector<Lamp> lamps_of_kind(Random& random, int kind)
     return lamps;
 }
 
-/// Several, or a single one, or some that begin and end with the same one.
+/// Several, one of them black, or a single one, or some that begin and end with the same one.
 inline std::vector<glm::u8vec3> pixels_of_kind(Random& random, int kind)
 {
     std::vector<glm::u8vec3> pixels(kind % 4 == 1 ? 1 : 3 + random.below(3));
     for (glm::u8vec3& pixel : pixels) pixel = random_pixel(random);
+    if (kind % 4 == 2) pixels[1] = glm::u8vec3(0);
     if (kind % 4 == 3) pixels.back() = pixels.front();
     return pixels;
 }

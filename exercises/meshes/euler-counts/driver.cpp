@@ -196,7 +196,8 @@ void record_known(Variation& vary, Recorder& out)
                                    {"three faces at an edge", book(3)},
                                    {"four faces at an edge", book(4)}});
     for (const Sample& sample : in_random_order(vary, samples)) {
-        const IndexedMesh mesh = vary ? another(sample.mesh, *vary.random()) : sample.mesh;
+        Random* const random = vary.random();
+        const IndexedMesh mesh = random != nullptr ? another(sample.mesh, *random) : sample.mesh;
         record_counts(out, mesh);
         record_genus(out, mesh);
     }
@@ -204,7 +205,7 @@ void record_known(Variation& vary, Recorder& out)
     // other's place.
     const bool is_ball = vary.one_of(0, std::array{1}) == 1;
     IndexedMesh one_of_both = is_ball ? ball(6, 5) : with_lonely_vertices(torus(6, 4), 2);
-    if (vary) one_of_both = another(one_of_both, *vary.random());
+    if (Random* const random = vary.random()) one_of_both = another(one_of_both, *random);
     record_counts(out, one_of_both);
     record_genus(out, one_of_both);
     name_counts(out);

@@ -157,7 +157,8 @@ void record_border(Variation& vary, Random& random, Recorder& out)
 {
     for (const std::uint32_t written :
          {200U, 5000U, 65'536U, 1'000'001U, 100'000'000U, 400'000'003U, 900'000'001U, 1'073'741'824U}) {
-        const std::uint32_t k = vary ? written - vary.random()->below(written / 10) : written;
+        Random* const other = vary.random();
+        const std::uint32_t k = other != nullptr ? written - other->below(written / 10) : written;
         for (int i = 0; i < 40; ++i) {
             const auto [inside, outside] = border_voxels(random, k, i % 2 == 0);
             const bool swapped = random.below(2) == 0;

@@ -51,7 +51,11 @@ EntryBytes random_entries(Random& random)
 }
 
 /// As usual; varied, others.
-EntryBytes usual_bytes(Variation& vary) { return vary ? random_entries(*vary.random()) : EntryBytes{12, 4, 8}; }
+EntryBytes usual_bytes(Variation& vary)
+{
+    Random* const random = vary.random();
+    return random != nullptr ? random_entries(*random) : EntryBytes{12, 4, 8};
+}
 
 void record_sphere(Variation& vary, Recorder& out)
 {

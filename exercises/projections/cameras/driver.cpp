@@ -151,24 +151,29 @@ void record_random(Random& random, Recorder& out)
     }
 }
 
-// Two orbital cameras and a base camera, changed in turns; what one is told must not reach the others.
+// Two orbital cameras and a base camera, changed in turns, and one of each that nobody changes; what one is told must
+// not reach the others.
 void record_several(Random& random, Recorder& out)
 {
     const std::unique_ptr<OrbitalCamera> first = made(out, "first", random_orbit(random));
     const std::unique_ptr<Camera> base = ask_new<make_camera>(out, "base");
     const std::unique_ptr<OrbitalCamera> second = made(out, "second", random_orbit(random));
+    const std::unique_ptr<Camera> unchanged = ask_new<make_camera>(out, "unchanged");
+    const std::unique_ptr<OrbitalCamera> still = made(out, "still", random_orbit(random));
     for (int step = 0; step < 12; ++step) {
         const bool is_first = random.below(2) == 1;
         const std::uint32_t kind = random.below(3);
         const Orbit orbit = random_orbit(random);
         const Size size = random_size(random);
         const Size other = random_size(random);
-        if (!first || !second || !base) continue;
+        if (!first || !second || !base || !unchanged || !still) continue;
         change(out, is_first ? *first : *second, kind, orbit, size);
         if (step % 3 == 0) ask<&Camera::set_viewport>(out, *base, other.x, other.y);
         record(out, *first);
         record(out, *base);
         record(out, *second);
+        if (step % 3 == 0) record(out, *unchanged);
+        if (step % 3 == 1) record(out, *still);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <kit/drawing.hpp>
+#include <kit/varied.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/variation.hpp>
@@ -38,7 +39,7 @@ inline std::vector<Shard> shards(std::uint64_t seed)
 
 inline Image draw_kaleidoscope(Variation& vary, Recorder& out)
 {
-    const std::vector<Shard> glass = shards(vary ? vary.random()->bits() : 14);
+    const std::vector<Shard> glass = shards(any_instead(vary, 14U, 0U, 1U << 31U));
     const glm::vec3 centre(7, -4, 0);
     const auto polar = [&](float radius, float degrees) {
         return centre + radius * glm::vec3(std::cos(glm::radians(degrees)), std::sin(glm::radians(degrees)), 0);

@@ -94,8 +94,9 @@ void record_quarter_turns(Random& random, Recorder& out)
     }
 }
 
-// By quarter turns, or none, and ten thousandths to hundredths of a degree, two of them after one another; and many
-// times round, up to the largest floats.
+// By quarter turns, or none, and ten thousandths to hundredths of a degree, two of them after one another (by matrices
+// down to a hundred thousandth, of which a float at 90 degrees is a multiple); and many times round, up to the largest
+// floats.
 void record_many_turns(Random& random, Recorder& out)
 {
     float quarters = 0;
@@ -103,6 +104,7 @@ void record_many_turns(Random& random, Recorder& out)
         if (i % 2 == 0) quarters = static_cast<float>(90 * (static_cast<int>(random.below(9)) - 4));
         const ElementaryTurn turn{axes[random.below(3)], quarters + some_degrees(random, -4, -2)};
         out.append("vector", ask<elementary_rotation>(out, random.unit_vector(), turn));
+        out.append("matrix", ask<elementary_matrix>(out, {turn.axis, quarters + some_degrees(random, -5, -2)}));
     }
     for (int i = 0; i < 120; ++i) {
         const float degrees = i % 2 == 0 ? some_degrees(random, 2.5F, 9) : some_degrees(random, 9, 38.5F);

@@ -29,7 +29,7 @@ void record_known(Variation& vary, Recorder& out)
 {
     const auto q = [&](float number) { return by_quarters(vary, number); };
     SceneGraph graph = facade();
-    const std::uint32_t names = vary ? vary.random()->below(1000) : 0;
+    const std::uint32_t names = any_instead(vary, 0U, 0U, 1000);
     for (std::vector<Entry>& entries : graph.nodes)
         for (Entry& entry : entries)
             if (entry.kind == Entry::Kind::object) entry.index += names;

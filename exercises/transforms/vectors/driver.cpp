@@ -45,10 +45,17 @@ void record_known(Variation& vary, Recorder& out)
     }
 }
 
-/// From 0.5 to 8, one time in four nearly 1, as the length of a unit vector that has drifted.
+/// A power of ten.
+float some_size(Random& random, float lowest, float highest)
+{
+    return std::pow(10.0F, random.uniform(lowest, highest));
+}
+
+/// From 0.5 to 8, one time in four nearly 1, as the length of a unit vector that has drifted, little or much.
 float some_length(Random& random)
 {
-    return random.below(4) == 0 ? random.uniform(0.999F, 1.001F) : random.uniform(0.5F, 8);
+    if (random.below(4) != 0) return random.uniform(0.5F, 8);
+    return 1 + some_size(random, -5.5F, -3) * (random.below(2) == 0 ? 1.0F : -1.0F);
 }
 
 void record_random(Random& random, Recorder& out)
@@ -99,12 +106,6 @@ void record_null(Random& random, Recorder& out)
             out.append("perpendicular", ask<perpendicular_part>(out, other, is_null ? zero : b));
         }
     }
-}
-
-/// A power of ten.
-float some_size(Random& random, float lowest, float highest)
-{
-    return std::pow(10.0F, random.uniform(lowest, highest));
 }
 
 /// Of the smallest floats: whole multiples of the very first, up to 2, each component by itself, and not all 0.
@@ -191,7 +192,8 @@ Couple whole_couple(float digits, Random& random)
 }
 
 // Angles of 0.1 to 3e-7, or as far from π: what the long way round computes is the difference of nearly equal numbers.
-// Then whole vectors, down to 1e-12. And angles near a right one, where the sine alone says nothing.
+// Then whole vectors, down to 1e-13. And angles near a right one, where the sine alone says nothing, and hardly
+// anything of one lies along the other.
 void record_nearly_parallel(Random& random, Recorder& out)
 {
     for (const float angle : {1e-1F, 1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F, 5e-7F, 3e-7F}) {
@@ -207,15 +209,17 @@ void record_nearly_parallel(Random& random, Recorder& out)
         }
     }
     for (int i = 0; i < 72; ++i) {
-        const Couple couple = whole_couple(random.uniform(8, 12), random);
+        const Couple couple = whole_couple(random.uniform(8, 13), random);
         out.append("cross", ask<cross_product>(out, couple.a, couple.b));
         out.append("angle", ask<angle_between>(out, couple.a, couple.b));
+        out.append("perpendicular", ask<perpendicular_part>(out, couple.a, couple.b));
     }
     for (int i = 0; i < 48; ++i) {
         const glm::vec3 a = random.uniform(1, 8) * random.unit_vector();
         const glm::vec3 aside = normalize(cross(a, random.unit_vector()));
         const float lean = std::pow(10.0F, random.uniform(-6, -1)) * (random.below(2) == 0 ? 1.0F : -1.0F);
         out.append("angle", ask<angle_between>(out, a, aside + lean * a));
+        out.append("parallel", ask<parallel_part>(out, a, aside + lean * a));
     }
 }
 

@@ -15,6 +15,17 @@ struct Grain {
     friend bool operator==(const Grain&, const Grain&) = default;
 };
 
+/// Which numbers of a sequence are replaced by others: one in a while, of short gaps and of long ones by turns. What is
+/// made of the sequence then is what it was but for some numbers: the same triangle with another corner, the same
+/// window elsewhere.
+struct Slips {
+    std::uint64_t seed = 0;   ///< 0: none
+    std::uint32_t left = 0;   ///< numbers until the next one that is replaced
+    std::uint32_t count = 0;  ///< of those that were
+
+    friend bool operator==(const Slips&, const Slips&) = default;
+};
+
 /// A small generator of random numbers that gives the same sequence on every machine.
 ///
 /// The distributions of <random> are left to each standard library, so the same seed would give other test inputs
@@ -30,14 +41,22 @@ public:
         (void)bits();
     }
 
+    /// The sequence of `seed`, but for the numbers that are replaced as `slips` (any number but 0) says.
+    [[nodiscard]] static Random with_slips(std::uint64_t seed, std::uint64_t slips)
+    {
+        Random random(seed);
+        random.slips_.seed = slips;
+        return random;
+    }
+
     /// 32 independent bits.
     [[nodiscard]] std::uint32_t bits()
     {
         const std::uint64_t old = state_;
         state_ = old * 6364136223846793005U + increment_;
-        const auto folded = static_cast<std::uint32_t>(((old >> 18U) ^ old) >> 27U);
-        const auto rotation = static_cast<std::uint32_t>(old >> 59U);
-        return (((folded >> rotation) | (folded << ((32U - rotation) & 31U))) & mask_) >> shift_;
+        std::uint32_t drawn = permuted(old);
+        if (slips_.seed != 0) slip(drawn);
+        return (drawn & mask_) >> shift_;
     }
 
     /// Uniform in [0, 1), a multiple of 2^-24, so that it is exact in float.
@@ -77,10 +96,27 @@ public:
     }
 
 private:
+    [[nodiscard]] static std::uint32_t permuted(std::uint64_t state)
+    {
+        const auto folded = static_cast<std::uint32_t>(((state >> 18U) ^ state) >> 27U);
+        const auto rotation = static_cast<std::uint32_t>(state >> 59U);
+        return (folded >> rotation) | (folded << ((32U - rotation) & 31U));
+    }
+
+    void slip(std::uint32_t& drawn)
+    {
+        if (slips_.left-- > 0) return;
+        slips_.seed = slips_.seed * 6364136223846793005U + 1442695040888963407U;
+        const std::uint32_t other = permuted(slips_.seed);
+        slips_.left = other % (slips_.count++ % 2 == 0 ? 48U : 12U);
+        drawn = other;
+    }
+
     std::uint64_t state_ = 0;
     std::uint64_t increment_;
     std::uint32_t mask_;
     std::uint32_t shift_;
+    Slips slips_{};
 };
 
 }

@@ -60,6 +60,14 @@ public:
     {
         if (VariedSeed::is(seed)) random_.emplace(seed ^ 0x5851F42D4C957F2DU);
     }
+    /// One that leaves most as it is written: one input in eight is another.
+    [[nodiscard]] static Variation of_few(std::uint64_t seed)
+    {
+        Variation vary;
+        vary.random_.emplace(seed);
+        vary.leaves_most_ = true;
+        return vary;
+    }
 
     /// Are inputs to be others than written?
     explicit operator bool() const { return random_.has_value(); }
@@ -69,11 +77,12 @@ public:
     requires std::is_arithmetic_v<T>
     [[nodiscard]] T near(T value, T spread)
     {
-        if (!random_) return value;
+        Random* const drawn = random();
+        if (drawn == nullptr) return value;
         if constexpr (std::is_integral_v<T>)
-            return value - spread + static_cast<T>(random_->below(static_cast<std::uint32_t>(2 * spread + 1)));
+            return value - spread + static_cast<T>(drawn->below(static_cast<std::uint32_t>(2 * spread + 1)));
         else
-            return static_cast<T>(value + spread * (2 * random_->uniform_double() - 1));
+            return static_cast<T>(value + spread * (2 * drawn->uniform_double() - 1));
     }
     template <glm::length_t L, class T>
     [[nodiscard]] glm::vec<L, T> near(glm::vec<L, T> value, T spread)
@@ -86,15 +95,16 @@ public:
     template <class T>
     [[nodiscard]] T scaled(T value, float most)
     {
-        if (!random_) return value;
-        return value * std::pow(most, random_->uniform(-1, 1));
+        Random* const drawn = random();
+        return drawn != nullptr ? value * std::pow(most, drawn->uniform(-1, 1)) : value;
     }
 
     /// The written value, or one of the others: for settings of which there are a few.
     template <class T, std::size_t N>
     [[nodiscard]] T one_of(const T& written, const std::array<T, N>& others)
     {
-        return random_ ? others[random_->below(static_cast<std::uint32_t>(N))] : written;
+        Random* const drawn = random();
+        return drawn != nullptr ? others[drawn->below(static_cast<std::uint32_t>(N))] : written;
     }
 
     /// Another order of coordinates and another size: one of the 23 turns that move something, and a scale of
@@ -102,8 +112,9 @@ public:
     [[nodiscard]] ExactMap exact_map(int most_doublings = 2)
     {
         ExactMap map;
-        if (!random_) return map;
-        const std::uint32_t turn = 1 + random_->below(23);
+        Random* const drawn = random();
+        if (drawn == nullptr) return map;
+        const std::uint32_t turn = 1 + drawn->below(23);
         const std::uint32_t order = turn / 4;  // three even orders of the axes, then three odd ones
         const auto first = static_cast<int>(order % 3);
         map.axis = {first, (first + 1) % 3, (first + 2) % 3};
@@ -119,14 +130,22 @@ public:
     /// The turn about `axis` (unit length) by an angle within `most` radians, as a matrix; else the identity.
     [[nodiscard]] glm::mat3 turn(const glm::vec3& axis, float most)
     {
-        return random_ ? glm::mat3(glm::rotate(glm::mat4(1), random_->uniform(-most, most), axis)) : glm::mat3(1);
+        Random* const drawn = random();
+        return drawn != nullptr ? glm::mat3(glm::rotate(glm::mat4(1), drawn->uniform(-most, most), axis))
+                                : glm::mat3(1);
     }
 
-    /// Random numbers for variations that are not here, or nothing: `if (Random* random = c.vary.random()) …`.
-    [[nodiscard]] Random* random() { return random_ ? &*random_ : nullptr; }
+    /// Random numbers for variations that are not here, or nothing: `if (Random* random = c.vary.random()) …`. They may
+    /// be there once and not the next time.
+    [[nodiscard]] Random* random()
+    {
+        if (!random_ || (leaves_most_ && random_->below(8) != 0)) return nullptr;
+        return &*random_;
+    }
 
 private:
     std::optional<Random> random_;
+    bool leaves_most_ = false;
 };
 
 }

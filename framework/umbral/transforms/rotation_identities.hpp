@@ -25,7 +25,7 @@ struct ElementaryTurn {
 /// Course: problems 2.12 (dot products stay), 2.13 (lengths stay) and 2.14 (cross products turn along).
 [[nodiscard]] glm::vec3 elementary_rotation(const glm::vec3& vector, const ElementaryTurn& turn);
 
-/// The matrix of the turn.
+/// The matrix of the turn; each entry within 1e-7, however small the angle is.
 [[nodiscard]] glm::mat3 elementary_matrix(const ElementaryTurn& turn);
 
 /// The vector after many turns, the first one first; within 1e-7 of its length, also after a million.
