@@ -67,14 +67,20 @@ int open_library(wire::Header& header, const std::string& path)
     _exit(exit_no_job);
 }
 
-/// Gives `files` the numbers from `first` on, in their order; -1 leaves a number unused.
+/// Gives `files` the numbers from `first` on, in their order; a number whose file is -1 is closed.
 void number_files(std::span<const int> files, int first)
 {
     std::vector<int> apart;
     for (const int file : files)
         apart.push_back(file < 0 ? -1 : fcntl(file, F_DUPFD_CLOEXEC, first + static_cast<int>(files.size())));
-    for (std::size_t i = 0; i < apart.size(); ++i)
-        if (apart[i] >= 0) dup2(apart[i], first + static_cast<int>(i));
+    for (std::size_t i = 0; i < apart.size(); ++i) {
+        const int number = first + static_cast<int>(i);
+        // What had it before must not reach the student's code: the job, say.
+        if (apart[i] >= 0)
+            dup2(apart[i], number);
+        else
+            close(number);
+    }
 }
 
 void note(wire::Header& header, wire::Note kind, const char* text)
