@@ -140,9 +140,11 @@ void add_matrix_columns(const AnswerTable& table, const Pairs& wrong, const std:
         found.push_back({fmt::format("is wrong in all columns: {}", fmt::join(parts, ", "))});
 }
 
-/// Are they the right ones to the questions before: state that a call leaves behind for the next?
+/// Are they the right ones to the questions before: state that a call leaves behind for the next? Where a question has
+/// several answers, the one before is another one of the same call.
 bool are_of_questions_before(const AnswerTable& table, const Pairs& wrong)
 {
+    if (table.several) return false;
     std::set<std::vector<double>> different;
     for (const AnswerPair* one : wrong) {
         if (one == table.answers.data() || !alike_rows(one->yours, (one - 1)->expected)) return false;

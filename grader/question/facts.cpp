@@ -182,7 +182,10 @@ std::vector<Fact> facts_of(const QuestionTable& table)
         for (std::size_t j = i + 1; j < std::min(vectors.size(), most_vectors); ++j) {
             const VectorColumns& b = vectors[j];
             if (a.size != b.size || b.first >= table.answers) continue;
-            if (quantity_of(a.words) == quantity_of(b.words))
+            const Quantity of_a = quantity_of(a.words);
+            const Quantity of_b = quantity_of(b.words);
+            if (of_a == Quantity::light || of_b == Quantity::light) continue;
+            if (of_a == Quantity::unknown && of_b == Quantity::unknown)
                 facts.push_back(fact(fmt::format("the distance between {} and {}", a.words, b.words),
                                      Fact::Kind::length, table, [&](const auto& row) { return distance(row, a, b); }));
             facts.push_back(fact(fmt::format("dot({}, {})", a.words, b.words), Fact::Kind::product, table,

@@ -99,6 +99,8 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
     if (!std::ranges::all_of(fact.values, is_integer)) {
         all.push_back(of_one(words + " is a whole number", i, cost + 5, is_integer));
         all.push_back(of_one(words + " is no whole number", i, cost + 5, [](double x) { return !is_integer(x); }));
+        // Very large floats are whole numbers: where one coordinate is, its size is the reason.
+        for (std::size_t k = all.size() - 2; k < all.size(); ++k) all[k].accidental = fact.component;
         return;
     }
     all.push_back(of_one(words + " is odd", i, cost + 2, [](double x) { return std::fmod(std::abs(x), 2) == 1; }));
@@ -217,7 +219,10 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
     const Fact& b = facts[j];
     if (!comparable(a) || !comparable(b) || a.value_names != b.value_names) return;
     if ((a.quantity == Quantity::angle) != (b.quantity == Quantity::angle)) return;
-    const int cost = 3 + (same_component || (a.kind == Fact::Kind::length && b.kind == Fact::Kind::length) ? 1 : 0);
+    // That a list has elements twice is a reason only if how long it is is none.
+    const bool of_a_list = a.words.ends_with(".size()") && b.words.starts_with("the number of different");
+    const int cost = 3 + (same_component || (a.kind == Fact::Kind::length && b.kind == Fact::Kind::length) ? 1 : 0) +
+                     (of_a_list ? 2 : 0);
     const auto add = [&](const char* words, bool (*test)(double, double), int more) {
         all.push_back({fmt::format("{} is {} {}", a.words, words, b.words),
                        [i, j, test](const std::vector<Fact>& others, std::size_t question) {

@@ -22,7 +22,7 @@ struct PossibleCondition {
     bool of_answer = false;             ///< likewise
     std::optional<std::size_t> fact{};  ///< the one that it looks at, if it is one
     bool compares = false;              ///< as in Condition
-    bool accidental = false;  ///< a bound between groups of equal numbers: it tells that they differ, and no more
+    bool accidental = false;  ///< may well hold by chance: a bound between groups of equal numbers, a whole coordinate
 };
 
 /// What can be said of one fact, or of two beside each other: signs, zeros, names, bounds between right and wrong

@@ -11,6 +11,8 @@ constexpr std::array<std::string_view, 15> angles = {"angle",     "angles", "deg
                                                      "elevation", "fov",    "fovy",    "fovx",    "phi",
                                                      "theta",     "yaw",    "pitch",   "roll",    "turns"};
 constexpr std::array<std::string_view, 6> directions = {"direction", "normal", "axis", "up", "tangent", "bitangent"};
+constexpr std::array<std::string_view, 7> lights = {"color",   "colors",   "emission", "ambient",
+                                                    "diffuse", "specular", "albedo"};
 
 bool is_of_a_word(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
@@ -26,6 +28,7 @@ Quantity quantity_of(std::string_view name)
         const std::string_view word = name.substr(at, end - at);
         if (std::ranges::find(angles, word) != angles.end()) return Quantity::angle;
         if (std::ranges::find(directions, word) != directions.end()) quantity = Quantity::direction;
+        if (std::ranges::find(lights, word) != lights.end()) quantity = Quantity::light;
         at = end + 1;
     }
     return quantity;

@@ -5,11 +5,12 @@
 namespace umbral::grader {
 
 /// What a number or a vector of a question measures, as far as its name tells: no angle is less than a length, and no
-/// direction lies near a place, though some numbers say so by chance.
+/// direction or colour lies near a place, though some numbers say so by chance.
 enum class Quantity {
     unknown,    ///< a length, a place, a count, …
     angle,      ///< "fovy_degrees", "camera.azimuth"
     direction,  ///< "ray.direction", "plane.normal"
+    light,      ///< "material.emission", "global_ambient": colours lie nowhere
 };
 
 /// By the words of the name's last part: "fovy" and "degrees" of "camera.fovy_degrees".

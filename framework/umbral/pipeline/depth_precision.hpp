@@ -26,7 +26,7 @@ struct DepthRange {
 [[nodiscard]] double window_depth(const DepthRange& range, double z_eye);
 
 /// The code nearest to a depth, which is clamped to [0, 1] first: a whole number from 0 to 2^bits - 1. Halves go up.
-/// `bits` is 1 to 32. A depth within 2^-53 of a half may go either way.
+/// `bits` is 1 to 32. A depth that is no half, but lies within 2^-53 of one, may go either way.
 [[nodiscard]] std::uint32_t depth_code(double depth, int bits);
 
 /// The z_eye (negative) whose depth has exactly this code: the inverse. Codes lie in 0 ... 2^bits - 1.

@@ -24,8 +24,8 @@ public:
     virtual ~Camera() = default;
 
     /// The picture's size in pixels from now on; before the first call it is square. Nothing may look deformed: a
-    /// picture twice as wide shows twice as much across. Sizes of which one is not positive, as of a minimised window,
-    /// are ignored. Course: fijarRatioViewport (height over width there).
+    /// picture twice as wide as it is high shows twice as much across as upwards. Sizes of which one is not positive,
+    /// as of a minimised window, are ignored. Course: fijarRatioViewport (height over width there).
     virtual void set_viewport(int width, int height) = 0;
 
     /// Sets both matrices of the target, each once, as they are for the camera's state of this moment. Every time: the

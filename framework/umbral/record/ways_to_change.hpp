@@ -110,11 +110,15 @@ struct ChangesOf<Enum> {
     (std::make_integer_sequence<int, count>{});
 };
 
+/// Also of vectors whose squares are no floats, as a unit's own function may be asked to.
 template <class Vector>
 void normalise(Vector& v)
 {
-    const auto length = glm::length(v);
-    if (length > 0) v /= length;
+    auto largest = std::abs(v[0]);
+    for (glm::length_t i = 1; i < v.length(); ++i) largest = std::max(largest, std::abs(v[i]));
+    if (!(largest > 0) || !std::isfinite(largest)) return;
+    v /= largest;
+    v /= glm::length(v);
 }
 
 /// One component in place of another: what is copied from the line before, and not changed all through.
