@@ -46,6 +46,16 @@ TEST_F(BesideItself, what_is_kept_for_another_question_is_found)
     EXPECT_EQ(found->common, right_without_others);
 }
 
+// All but the angles is compared: nearly the same question has its own answer.
+TEST_F(BesideItself, what_is_kept_for_nearly_the_same_question_is_found)
+{
+    const UnitResult result = keeping(
+        "before.size() == turns.size() && std::equal(turns.begin(), turns.end(), before.begin(),"
+        " [](const ElementaryTurn& a, const ElementaryTurn& b) { return a.axis == b.axis; })");
+    EXPECT_LT(result.score, result.max_score);
+    EXPECT_NE(std::ranges::find_if(result.checks, &CheckResult::beside), result.checks.end());
+}
+
 // What is kept, and looked up by all that it depends on, is a cache.
 TEST_F(BesideItself, whoever_compares_all_may_keep_answers)
 {

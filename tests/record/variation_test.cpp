@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
 #include <umbral/record/case.hpp>
+#include <vector>
 
 // Inputs that are written down in drivers: as written at a desk, others where they are asked for.
 namespace umbral {
@@ -68,6 +70,42 @@ TEST(Variation, differs_from_seed_to_seed_and_is_the_same_for_one)
     const auto drawn = [](std::uint64_t seed) { return Variation(VariedSeed::with_mark(seed)).near(0.0, 1.0); };
     EXPECT_EQ(drawn(1), drawn(1));
     EXPECT_NE(drawn(1), drawn(2));
+}
+
+// What asks of nearly the same inputs beside a case.
+TEST(Variation, of_few_leaves_most_as_written)
+{
+    Variation vary = Variation::of_few(7);
+    ASSERT_TRUE(vary);
+    int changed = 0;
+    int random = 0;
+    for (int i = 0; i < 4000; ++i) {
+        changed += vary.near(3.25, 1.0) != 3.25 ? 1 : 0;
+        random += vary.random() != nullptr ? 1 : 0;
+    }
+    EXPECT_NEAR(changed, 500, 90) << "four standard deviations";
+    EXPECT_NEAR(random, 500, 90);
+}
+
+TEST(Random, with_slips_is_the_same_but_for_some_numbers)
+{
+    Random plain(5);
+    Random slipping = Random::with_slips(5, 77);
+    Random again = Random::with_slips(5, 77);
+    std::vector<int> gaps;
+    int gap = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const std::uint32_t number = slipping.bits();
+        EXPECT_EQ(number, again.bits());
+        ++gap;
+        if (number == plain.bits()) continue;
+        gaps.push_back(gap);
+        gap = 0;
+    }
+    // Gaps of 1 to 48 and of 1 to 12 numbers by turns: of two together, 31 on average.
+    EXPECT_NEAR(static_cast<double>(gaps.size()), 2 * 20'000 / 31.0, 130);
+    EXPECT_GT(*std::ranges::max_element(gaps), 40);
+    EXPECT_EQ(*std::ranges::min_element(gaps), 1);
 }
 
 TEST(ExactMap, turns_and_scales_without_rounding_and_never_leaves_all_in_place)
