@@ -6,7 +6,7 @@ namespace umbral::grader {
 namespace {
 
 /// Enough for the visible cases of a good part of a course; hidden seeds differ by student and push old runs out.
-constexpr std::size_t most_remembered = std::size_t{384} << 20U;
+constexpr std::size_t most_remembered = std::size_t{256} << 20U;
 
 std::size_t bytes_of(const RunOutcome& outcome)
 {
