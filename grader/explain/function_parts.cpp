@@ -109,7 +109,7 @@ std::string sentence_about(const std::vector<std::string>& functions, std::strin
     if (sentence.starts_with("Your ") || sentence.starts_with("The ")) sentence[0] += 'a' - 'A';
     std::vector<std::string_view> names;
     for (const std::string& function : functions) names.push_back(reflect::last_name(function));
-    return fmt::format("In {}: {}", fmt::join(names, " and "), sentence);
+    return fmt::format("Seen in {}: {}", fmt::join(names, " and "), sentence);
 }
 
 }

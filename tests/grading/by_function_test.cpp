@@ -22,7 +22,7 @@ TEST_F(OneFunctionOfSeveral, that_is_transposed_is_named)
     const UnitResult result = grade("return turned(1, 2, angle);", "return glm::transpose(turned(1, 2, angle));");
     const Explanation* found = named(result, "transposed in rotation_about_x");
     ASSERT_NE(found, nullptr);
-    EXPECT_EQ(found->sentence.find("In rotation_about_x: your "), 0U) << found->sentence;
+    EXPECT_EQ(found->sentence.find("Seen in rotation_about_x: your "), 0U) << found->sentence;
     EXPECT_GT(found->confidence, 0.9);
 }
 

@@ -89,8 +89,8 @@ TEST_F(MistakesByFunction, are_told_with_the_function)
             const auto mine = std::ranges::find(found, "mistake: " + mistake.name, &Explanation::name);
             told += mine != found.end() ? 1 : 0;
             for (const Explanation& one : found) {
-                if (!one.sentence.starts_with("In ")) continue;
-                EXPECT_TRUE(one.sentence.starts_with("In " + name + ": ")) << one.sentence;
+                if (!one.sentence.starts_with("Seen in ")) continue;
+                EXPECT_TRUE(one.sentence.starts_with("Seen in " + name + ": ")) << one.sentence;
             }
         }
     }
