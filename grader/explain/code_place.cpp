@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "build/traced.hpp"
 #include "explain/asked_alone.hpp"
@@ -45,10 +46,12 @@ public:
         PassedPlaces seen;
         while (used < most_seeds && (used == 0 || lacks(seen, true))) add(asked_, input_seed(asked_, used++), seen);
         PassedPlaces elsewhere;
-        if (lacks(seen, false)) {
+        // Where all that is right is that nothing was answered, there is nothing to compare with.
+        if (lacks(seen, false) || are_wrong_where_given(seen)) {
             elsewhere = among(others, cases, built);
             add(elsewhere, seen);
         }
+        if (are_wrong_where_given(seen)) return std::nullopt;
         std::vector<PartingPlace> found = parting_places(seen);
         if (found.empty()) return std::nullopt;
         PassedPlaces fresh;
@@ -88,6 +91,7 @@ private:
         into.wrong.insert(into.wrong.end(), some.wrong.begin(), some.wrong.end());
         into.places.insert(into.places.end(), some.places.begin(), some.places.end());
         into.by_exception.insert(into.by_exception.end(), some.by_exception.begin(), some.by_exception.end());
+        into.given.insert(into.given.end(), some.given.begin(), some.given.end());
     }
 
     /// The questions with these inputs, of the function that most wrong answers are of.
@@ -98,9 +102,12 @@ private:
         const QuestionLog& log =
             seed == asked.result.seed ? asked.log : worker_.questions(asked.exercise, asked.check.case_name, seed);
         std::map<std::string, std::map<std::uint32_t, bool>> wrong;
-        for (const AskedAnswer& one : answers.all)
+        std::set<std::uint32_t> given;
+        for (const AskedAnswer& one : answers.all) {
             if (const QuestionKind* const kind = log.kind_of(one.question))
                 wrong[kind->function][one.question] |= one.answer.wrong;
+            if (!answers.optional || !one.answer.yours.empty()) given.insert(one.question);
+        }
         if (wrong.empty()) return;
         const auto wrong_of = [](const auto& of_function) {
             return std::ranges::count(of_function.second, true, [](const auto& one) { return one.second; });
@@ -115,6 +122,7 @@ private:
             into.wrong.push_back(is_wrong);
             into.places.push_back(passed->second.places);
             into.by_exception.push_back(passed->second.by_exception);
+            into.given.push_back(given.contains(question));
         }
     }
 

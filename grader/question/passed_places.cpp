@@ -34,6 +34,8 @@ Sides sides_of(const PartingPlace& place)
 
 }
 
+bool are_wrong_where_given(const PassedPlaces& seen) { return !seen.given.empty() && seen.given == seen.wrong; }
+
 PartingPlace place_among(const PartingPlace& place, const PassedPlaces& others)
 {
     PartingPlace result{place.place, place.of_wrong};

@@ -13,7 +13,11 @@ struct PassedPlaces {
     std::vector<bool> wrong{};                         ///< has the question a wrong answer?
     std::vector<std::vector<std::uint32_t>> places{};  ///< in the order in which they were first reached
     std::vector<bool> by_exception{};                  ///< did an exception end the question? Empty: none did
+    std::vector<bool> given{};                         ///< was an answer given, where there may be none? Empty: always
 };
+
+/// Are those that were given an answer wrong, and all others right? What parts them only tells that an answer was given.
+[[nodiscard]] bool are_wrong_where_given(const PassedPlaces& seen);
 
 /// A place that questions with wrong answers come through, and those with right ones do not, or the reverse.
 struct PartingPlace {

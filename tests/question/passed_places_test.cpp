@@ -57,6 +57,19 @@ TEST(PassedPlaces, what_follows_a_call_that_is_left_by_an_exception_is_none)
     EXPECT_TRUE(parting_places(seen).empty());
 }
 
+// A sphere's distances are all wrong, and what misses it is right: the return of a distance parts them, and is no bug.
+TEST(PassedPlaces, where_an_answer_is_given_is_known_apart)
+{
+    PassedPlaces seen;
+    add(seen, 3, false, {1, 2});
+    add(seen, 3, true, {1, 3});
+    EXPECT_FALSE(are_wrong_where_given(seen)) << "nothing is known of that";
+    seen.given = seen.wrong;
+    EXPECT_TRUE(are_wrong_where_given(seen));
+    seen.given[0] = true;
+    EXPECT_FALSE(are_wrong_where_given(seen)) << "one that was given an answer is right";
+}
+
 TEST(PassedPlaces, what_all_or_some_of_both_come_through_is_none)
 {
     PassedPlaces seen;
