@@ -61,6 +61,12 @@ void add_named(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
     }
 }
 
+/// Is it the least or the largest number of a whole list? Whichever that is, it is hardly ever the reason.
+bool is_extreme_of_list(const Fact& fact)
+{
+    return fact.words.starts_with("the least number") || fact.words.starts_with("the largest number");
+}
+
 /// Conditions that need no number: signs, zero, one, not finite.
 void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<PossibleCondition>& all)
 {
@@ -82,8 +88,10 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
     }
     all.push_back(of_one(words + " is not finite", i, cost, [](double x) { return !is_finite(x); }));
     all.push_back(of_one(words + " is finite", i, cost + 1, is_finite));
-    all.push_back(of_one(words + " is 0", i, cost, [](double x) { return x == 0; }));
-    all.push_back(of_one(words + " is not 0", i, cost, [](double x) { return x != 0; }));
+    if (!is_extreme_of_list(fact)) {
+        all.push_back(of_one(words + " is 0", i, cost, [](double x) { return x == 0; }));
+        all.push_back(of_one(words + " is not 0", i, cost, [](double x) { return x != 0; }));
+    }
     if (fact.kind == Fact::Kind::number) {
         all.push_back(of_one(words + " is -0", i, cost + 1, is_minus_zero));
         all.push_back(of_one(words + " is no number", i, cost + 1, [](double x) { return std::isnan(x); }));
@@ -93,7 +101,7 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
     all.push_back(of_one(words + " is 0 or negative", i, cost + 1, [](double x) { return x <= 0; }));
     if (fact.kind == Fact::Kind::product) return;
     all.push_back(of_one(words + " is positive", i, cost, [](double x) { return x > 0; }));
-    if (fact.kind == Fact::Kind::coordinate) return;
+    if (fact.kind == Fact::Kind::coordinate || is_extreme_of_list(fact)) return;
     all.push_back(of_one(words + " is 1", i, cost + 1, [](double x) { return std::abs(x - 1) < alike; }));
     all.push_back(of_one(words + " is not 1", i, cost + 1, [](double x) { return !(std::abs(x - 1) < alike); }));
     if (!std::ranges::all_of(fact.values, is_integer)) {

@@ -1,5 +1,5 @@
 // mistake: no tree: a loop over all triangles
-// credit: 60..90
+// credit: 40..75
 // hint: Your answers are right, and take time in proportion to the number of triangles. Put boxes round groups of them,
 // and boxes round those: what lies in a box that the ray does not meet need not be looked at.
 #include <umbral/raytracing/bounding_volumes.hpp>
