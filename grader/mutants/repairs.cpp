@@ -96,6 +96,7 @@ private:
                 add(node, "matrix", "glm::inverse(" + text + ")");
             }
         }
+        if (named && is_real(node.type)) add(node, "root", "((" + text + ") * (" + text + "))");
         if (is_real(node.type) && has_any_size(syntax_, node))
             add(node, "limited", "((" + text + ") < 0 ? 0 * (" + text + ") : (" + text + "))");
         const bool computed = called || !binary_of(syntax_, node).word.empty();
