@@ -163,13 +163,14 @@ void bright(Random& random, Recorder& out)
         std::vector<Lamp> lamps = random_lamps(random, 3);
         // Each lamp by a factor of its own, or all of them by one: after a bright sum comes a dim one.
         float factor = 1;
-        for (std::size_t k = 0; k < lamps.size(); ++k) {
+        const bool in_one_channel = i % 5 == 4;
+        for (std::size_t k = 0; k < lamps.size() && !in_one_channel; ++k) {
             if (k == 0 || i % 2 == 0)
                 factor = std::pow(10.0F, i % 4 == 3 ? 0.0F : random.uniform(0, i % 3 == 0 ? 30.0F : 7.0F));
             lamps[k].color *= factor;
         }
         // One channel alone: what is lost in it is lost in no other.
-        if (i % 5 == 4) lamps.front().color[i % 3] *= 1e6F;
+        if (in_one_channel) lamps.front().color[i % 3] *= 1e25F;
         out.append("sums", ask<add_lights>(out, lamps));
     }
 }

@@ -126,7 +126,16 @@ void record_at_random(const Viewport& viewport, int i, Random& random, Recorder&
     // Half of them lie outside the viewport, on either side.
     const glm::ivec2 size(viewport.width, viewport.height);
     const glm::ivec2 aside = i % 2 == 0 ? glm::ivec2(0) : (i % 4 == 1 ? 1 : -1) * size / (1 + i % 3);
-    out.append("centre", ask<pixel_centre>(out, viewport, pixel + aside + glm::ivec2(viewport.left, viewport.bottom)));
+    const glm::ivec2 in_window = pixel + aside + glm::ivec2(viewport.left, viewport.bottom);
+    out.append("centre", ask<pixel_centre>(out, viewport, in_window));
+    if (i % 4 != 0) return;
+    // The same pixel, and the same place, of the window with the viewport beside.
+    Viewport beside = viewport;
+    beside.left += 1 + viewport.width / 3;
+    beside.bottom -= viewport.height / 2;
+    out.append("centre", ask<pixel_centre>(out, beside, in_window));
+    out.append("back", ask<ndc_from_window>(out, viewport, glm::vec3(place, depth)));
+    out.append("back", ask<ndc_from_window>(out, beside, glm::vec3(place, depth)));
 }
 
 // Every second one is the one before in another place, of another size or with other depths: whoever remembers what was

@@ -217,7 +217,7 @@ void record_nearly_parallel(Random& random, Recorder& out)
     for (int i = 0; i < 48; ++i) {
         const glm::vec3 a = random.uniform(1, 8) * random.unit_vector();
         const glm::vec3 aside = normalize(cross(a, random.unit_vector()));
-        const float lean = std::pow(10.0F, random.uniform(-6, -1)) * (random.below(2) == 0 ? 1.0F : -1.0F);
+        const float lean = std::pow(10.0F, random.uniform(-7.5F, -1)) * (random.below(2) == 0 ? 1.0F : -1.0F);
         out.append("angle", ask<angle_between>(out, a, aside + lean * a));
         out.append("parallel", ask<parallel_part>(out, a, aside + lean * a));
     }

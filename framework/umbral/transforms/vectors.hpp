@@ -27,7 +27,7 @@ namespace umbral::transforms {
 [[nodiscard]] float angle_between(const glm::vec3& a, const glm::vec3& b);
 
 /// The part of `a` along `b`, ((a·b) / (b·b)) b; null if `b` is null. Its error is small beside its own length, also
-/// where it is a millionth of `a`.
+/// where it is a ten millionth of `a`.
 [[nodiscard]] glm::vec3 parallel_part(const glm::vec3& a, const glm::vec3& b);
 
 /// The part of `a` across `b`: what is left of `a` without its parallel part; `a` itself if `b` is null. Its error is
