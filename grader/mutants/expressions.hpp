@@ -25,7 +25,10 @@ struct Variable {
     std::string type;
 };
 
-[[nodiscard]] inline bool is_real(const std::string& type) { return type == "float" || type == "double"; }
+[[nodiscard]] inline bool is_real(const std::string& type)
+{
+    return type == "float" || type == "double" || type == "long double";
+}
 
 /// Of GLM, whatever its size.
 [[nodiscard]] inline bool is_vector(const std::string& type)

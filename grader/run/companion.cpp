@@ -5,11 +5,13 @@
 #include <new>
 #include <utility>
 
+#include "run/sandbox.hpp"
+
 namespace umbral::grader {
 namespace {
 
-/// As much as a process has by default; taken page by page, when it is used.
-constexpr std::size_t stack_size = std::size_t{8} << 20U;
+/// As much as the run itself has; taken page by page, when it is used.
+constexpr std::size_t stack_size = sandbox::ResourceLimits::stack;
 /// At its end: what grows into it crashes.
 constexpr std::size_t guard_size = std::size_t{64} << 10U;
 

@@ -54,6 +54,12 @@ void limit_resources(const ResourceLimits& limits)
             throw std::system_error(errno, std::generic_category(), "setrlimit " + std::to_string(resource));
     };
     set(RLIMIT_CORE, 0);
+    // Whatever the shell has that the grader was started from; compilers may still take more.
+    rlimit stack{};
+    if (getrlimit(RLIMIT_STACK, &stack) == 0) {
+        stack.rlim_cur = std::min(stack.rlim_max, rlim_t{ResourceLimits::stack});
+        (void)setrlimit(RLIMIT_STACK, &stack);
+    }
     if (limits.address_space != 0) set(RLIMIT_AS, limits.address_space);
     // The soft limit ends a process by a signal of its own, which its parent can tell from others; the hard one by
     // SIGKILL.

@@ -53,9 +53,7 @@ Earners earners_of(Worker& worker, const Exercise& exercise, const GradeOptions&
     Earners earners;
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
-        if (is_little(result.checks[i], result.checks[i].score) || judge_of(check).counts_work ||
-            is_hidden_case(exercise, check.case_name))
-            continue;
+        if (is_little(result.checks[i], result.checks[i].score) || is_hidden_case(exercise, check.case_name)) continue;
         if (has_other_inputs(worker, exercise, check, options.seeds))
             earners.asked.push_back({i});
         else
@@ -69,6 +67,8 @@ bool holds(Worker& worker, const Exercise& exercise, const Check& check, const C
            const CaseResult& first, const CaseResult& other, Asked& asked)
 {
     if (is_little(before, before.score - asked.best)) return true;
+    // How work grows is fitted to a few sizes, and what little differs may cost points; wrong answers cost all.
+    if (judge_of(check).counts_work) return believed_part * asked.best >= before.score;
     // Where work seemed right in nearly all, two others of a case's inputs tell more than everybody's.
     const bool seemed_right = is_little(before, before.max_score - before.score);
     if (seemed_right || believed_part * asked.best < before.score) return false;

@@ -22,7 +22,8 @@ inline constexpr Millipoints believed_part = 2;
 /// gave fewer right answers than by chance. Work that is right, or wrong in its own way, earns alike with all inputs of
 /// a case.
 ///
-/// Left alone are hidden checks and counted work; and cases whose inputs are the same whatever the seed, unless less
+/// Counted work keeps its points if it earns half of them there: with answers that were written down it earns nothing.
+/// Left alone are hidden checks; and cases whose inputs are the same whatever the seed, unless less
 /// than half holds of all that could be asked again: then they keep as much of their points as that.
 void expect_the_same_of_other_inputs(Worker& worker, const Exercise& exercise, const Built& built,
                                      const CaseResults& cases, const GradeOptions& options, UnitResult& result);
