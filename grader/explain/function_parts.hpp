@@ -39,8 +39,8 @@ struct FunctionParts {
 [[nodiscard]] FunctionParts parts_by_function(Worker& worker, const Exercise& exercise,
                                               std::span<const CaseChecks> groups);
 
-/// "Seen in rotate_x and rotate_y: your matrix …", of functions by their full names: where it shows, which is not always
-/// where it is done.
+/// "Seen in rotate_x and rotate_y: your matrix …", of functions by their full names: where it shows, which is not
+/// always where it is done.
 [[nodiscard]] std::string sentence_about(const std::vector<std::string>& functions, std::string sentence);
 
 }

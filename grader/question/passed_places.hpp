@@ -16,7 +16,8 @@ struct PassedPlaces {
     std::vector<bool> given{};                         ///< was an answer given, where there may be none? Empty: always
 };
 
-/// Are those that were given an answer wrong, and all others right? What parts them only tells that an answer was given.
+/// Are those that were given an answer wrong, and all others right? What parts them only tells that an answer was
+/// given.
 [[nodiscard]] bool are_wrong_where_given(const PassedPlaces& seen);
 
 /// A place that questions with wrong answers come through, and those with right ones do not, or the reverse.

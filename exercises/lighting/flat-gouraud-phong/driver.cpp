@@ -160,8 +160,8 @@ StagedMesh square_elsewhere()
 }
 
 // Squares before and behind each other, far or by a little, in either order, and targets that are not empty: nothing
-// that is hidden may show, and light is asked for what passes the depth test at its turn only. The last one's vertices and those
-// of a square elsewhere have numbers whose last 16 bits are the same.
+// that is hidden may show, and light is asked for what passes the depth test at its turn only. The last one's vertices
+// and those of a square elsewhere have numbers whose last 16 bits are the same.
 void record_occlusion(Random& random, Variation& vary, Recorder& out)
 {
     for (std::size_t i = 0; i < 19; ++i) {

@@ -5,6 +5,7 @@
 
 #include "../island.hpp"
 #include "../volumes.hpp"
+#include "orbits.hpp"
 #include "recording_target.hpp"
 
 namespace umbral {
@@ -48,22 +49,6 @@ void record_base(Variation& vary, Recorder& out)
 {
     const std::unique_ptr<Camera> camera = ask_new<make_camera>(out, "camera");
     if (camera) record_viewports(vary, out, *camera);
-}
-
-/// Where an orbital camera stands.
-struct Orbit {
-    float a_degrees;
-    float b_degrees;
-    float distance;
-};
-
-/// Another place, if inputs are to vary: above and below the target it is turned about the vertical only.
-Orbit varied(Variation& vary, Orbit orbit)
-{
-    orbit.a_degrees = vary.near(orbit.a_degrees, 20.0F);
-    if (std::abs(orbit.b_degrees) != 90) orbit.b_degrees = vary.near(orbit.b_degrees, 8.0F);
-    orbit.distance = vary.scaled(orbit.distance, 1.2F);
-    return orbit;
 }
 
 std::unique_ptr<OrbitalCamera> made(Recorder& out, const char* name, const Orbit& orbit)
@@ -117,15 +102,6 @@ void record_changes(Variation& vary, Recorder& out)
                varied(vary, Size(100 + 50 * static_cast<int>(i), 200)));
         if (i != 4 && i != 6) record(out, *camera);
     }
-}
-
-Orbit random_orbit(Random& random)
-{
-    const float a = random.uniform(-360, 360);
-    const float b = random.uniform(-180, 180);
-    // Of three distances one is tiny or immense.
-    const float usual = std::pow(10.0F, random.uniform(-3, 5));
-    return {a, b, random.below(3) == 0 ? std::pow(10.0F, random.uniform(-36, 38)) : usual};
 }
 
 Size random_size(Random& random)
