@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <string_view>
 
@@ -26,25 +27,33 @@ bool rounds(const OtherQuestion& question)
     return question.change.starts_with("turned from ") || std::ranges::find(changes, question.change) != changes.end();
 }
 
-/// Is an argument changed to what it is in no question?
-bool makes_constant(const OtherQuestion& question)
+/// The numbers of a table; NaN where there is none.
+std::vector<double> numbers_or_nan(const Tensor& tensor)
 {
-    return question.other.empty() && question.change.starts_with("taken as ");
+    std::vector<double> values = to_doubles(tensor);
+    for (std::size_t i = 0; i < values.size() && !tensor.present.empty(); ++i)
+        if (tensor.present.at(i / tensor.components) == 0) values[i] = std::nan("");
+    return values;
 }
 
-/// Of answers with yes and no, are all wrong ones the same? With a constant for an argument they are, too, whatever is
-/// wrong: that they agree says nothing.
+/// Are all wrong answers the same yes or no, or none given? Then only which ones are wrong could agree, and of the many
+/// questions that may be asked instead one or another changes just these.
 bool errs_to_one_side(const FailingCheck& one)
 {
     if (one.student == nullptr || one.expected == nullptr) return false;
-    const std::vector<double> yours = to_doubles(*one.student);
-    const std::vector<double> right = to_doubles(*one.expected);
-    if (yours.size() != right.size() || !all_finite(yours) || !all_finite(right)) return false;
-    if (std::set<double>(right.begin(), right.end()).size() > 2) return false;
+    const std::vector<double> yours = numbers_or_nan(*one.student);
+    const std::vector<double> right = numbers_or_nan(*one.expected);
+    if (yours.size() != right.size()) return false;
+    std::set<double> expected;
     std::set<double> wrong;
-    for (std::size_t i = 0; i < yours.size(); ++i)
-        if (yours[i] != right[i]) wrong.insert(yours[i]);
-    return wrong.size() == 1;
+    bool is_none_given = true;
+    for (std::size_t i = 0; i < yours.size(); ++i) {
+        if (!std::isnan(right[i])) expected.insert(right[i]);
+        if (yours[i] == right[i] || (std::isnan(yours[i]) && std::isnan(right[i]))) continue;
+        is_none_given = is_none_given && std::isnan(yours[i]);
+        if (!std::isnan(yours[i])) wrong.insert(yours[i]);
+    }
+    return is_none_given || (expected.size() <= 2 && wrong.size() == 1);
 }
 
 /// Takes what the checks of one case say of the reference's answers to the other question. Where one mistake was made
@@ -59,7 +68,7 @@ void weigh(const CaseChecks& group, const QuestionLog& log, const RunOutcome& ru
         // In hard cases the student's own code rounds otherwise than the reference, too.
         if (rounds(candidate.question) || one.check->hard) rounded.rounding = thresholds::rounding_left;
         const Resemblance said = says_of(rounded, *group.result, run);
-        if (said.says == Says::for_it && makes_constant(candidate.question) && errs_to_one_side(one)) continue;
+        if (said.says == Says::for_it && errs_to_one_side(one)) continue;
         candidate.tally += said;
         candidate.tally.hard_against += said.says == Says::against_it && one.check->hard ? 1 : 0;
         candidate.failing += one.fails ? 1 : 0;
