@@ -37,8 +37,8 @@ private:
     const DriverCase& one_;
     Case what_;
     void* stack_;
-    ucontext_t first_{};  ///< where the first case waits
-    ucontext_t own_{};    ///< where this one waits
+    ucontext_t first_{};    ///< where the first case waits
+    ucontext_t own_{};      ///< where this one waits
     unsigned to_catch_up_;  ///< turns to take before the first one: one to begin, and those that it is ahead
     bool has_ended_ = false;
     std::uint32_t asked_ = 0;

@@ -41,7 +41,7 @@ std::vector<std::string> enter_namespaces(bool processes);
 /// Limits of one process; 0 leaves a limit as it is.
 struct ResourceLimits {
     static constexpr std::uint64_t stack = std::uint64_t{8} << 20U;  ///< bytes, always, as far as the hard limit allows
-    std::uint64_t address_space = 0;  ///< bytes
+    std::uint64_t address_space = 0;                                 ///< bytes
     std::uint64_t cpu_seconds = 0;
     std::uint64_t file_size = 0;  ///< bytes
     std::uint64_t descriptors = 0;
