@@ -105,10 +105,13 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
     all.push_back(of_one(words + " is 1", i, cost + 1, [](double x) { return std::abs(x - 1) < alike; }));
     all.push_back(of_one(words + " is not 1", i, cost + 1, [](double x) { return !(std::abs(x - 1) < alike); }));
     if (!std::ranges::all_of(fact.values, is_integer)) {
-        all.push_back(of_one(words + " is a whole number", i, cost + 5, is_integer));
-        all.push_back(of_one(words + " is no whole number", i, cost + 5, [](double x) { return !is_integer(x); }));
-        // Very large floats are whole numbers: where one coordinate is, its size is the reason.
-        for (std::size_t k = all.size() - 2; k < all.size(); ++k) all[k].accidental = fact.component;
+        const auto add = [&](const char* is, bool (*test)(double)) {
+            all.push_back(of_one(words + is, i, cost + 5, test));
+            // Very large floats are whole numbers: where one coordinate is, its size is the reason.
+            all.back().accidental = fact.component;
+        };
+        add(" is a whole number", is_integer);
+        add(" is no whole number", [](double x) { return !is_integer(x); });
         return;
     }
     all.push_back(of_one(words + " is odd", i, cost + 2, [](double x) { return std::fmod(std::abs(x), 2) == 1; }));
@@ -217,7 +220,7 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
     const bool same_component =
         facts[i].component && facts[j].component && component_of(facts[i].words) == component_of(facts[j].words);
     const auto comparable = [same_component](const Fact& fact) {
-        if (fact.words.starts_with("the least") || fact.words.starts_with("the largest") || fact.answer) return false;
+        if (is_extreme_of_list(fact) || fact.answer) return false;
         return fact.kind == Fact::Kind::length ||
                (fact.kind == Fact::Kind::number && (!fact.component || same_component));
     };

@@ -267,10 +267,8 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
             *one, Case{what.name, Random::with_slips(job.stream, stream | 1U), what.sources, Variation::of_few(stream)},
             0);
         progress.at_each_question([&] {
-            const std::uint64_t before = blocks_executed();
             other->take_turn();
             nearly_same->take_turn();
-            count_blocks(before - blocks_executed());  // their work is not the first one's
         });
     }
     if (job.inquiry.blocks) {

@@ -3,6 +3,7 @@
 #include <sys/mman.h>
 
 #include <new>
+#include <umbral/record/cost.hpp>
 #include <utility>
 
 #include "run/sandbox.hpp"
@@ -61,8 +62,10 @@ void Companion::go_on()
 
 void Companion::take_turn()
 {
+    const std::uint64_t before = blocks_executed();
     for (; to_catch_up_ > 0; --to_catch_up_) go_on();
     go_on();
+    count_blocks(before - blocks_executed());
 }
 
 }

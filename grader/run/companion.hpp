@@ -27,7 +27,8 @@ public:
     Companion& operator=(const Companion&) = delete;
     ~Companion();
 
-    /// Asks one question more, unless all are asked. The first turn also comes to the first question.
+    /// Asks one question more, unless all are asked. The first turn also comes to the first question. What work that is
+    /// is not counted (blocks_executed()).
     void take_turn();
 
 private:

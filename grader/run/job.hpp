@@ -22,7 +22,7 @@ struct Job {
     CostLimit costs;  ///< without a table all costs are worked on
     Inquiry inquiry;
     PassedOver passed_over;
-    std::optional<std::uint64_t> beside;  ///< as `stream`, of a case that runs beside this one
+    std::optional<std::uint64_t> beside;  ///< as `stream`, of the cases that run beside this one
     unsigned mutant = 0;                  ///< of a library that holds mutants, which only trusted ones do; 0 for none
     FreshMemory fresh_memory = FreshMemory::nonsense;  ///< what memory holds that was never written
 };

@@ -31,8 +31,8 @@ struct RunRequest {
     WantedTensors wanted{};  ///< of what it records, all that is looked at; empty for everything
     CostLimit costs{};       ///< work on these counted costs only, to measure them from outside; without a table on all
     Inquiry inquiry{};       ///< what is to be told of its questions, of trusted solutions only; and its inputs' grain
-    /// As `stream`, of the same case with other inputs: it runs beside, in turns with the first, and what it records is
-    /// thrown away (companion.hpp).
+    /// As `stream`, of the same case with other inputs: it runs beside, in turns with the first and with one that has
+    /// nearly the first one's inputs, and what these record is thrown away (companion.hpp).
     std::optional<std::uint64_t> beside{};
     PassedOver passed_over{};                          ///< questions that the student's code is not asked
     FreshMemory fresh_memory = FreshMemory::nonsense;  ///< what memory holds that was never written

@@ -6,7 +6,7 @@
 
 namespace umbral::grader {
 
-/// Asks visible cases that are all right once more, each beside itself with other inputs: two drivers take turns,
+/// Asks visible cases that are all right once more, each beside itself with other inputs: three drivers take turns,
 /// question by question (run/companion.hpp). Where an answer is wrong then, the code keeps something from one call to
 /// the next that only answers right as long as nobody else asks: what the case earns is what that run earns, but no
 /// less than eight tenths of its points, and it takes the place of the first one in `cases`.

@@ -89,8 +89,8 @@ public:
     [[nodiscard]] RunOutcome trusted_past(const Exercise& exercise, Answers solution, const std::string& case_name,
                                           std::uint64_t seed, const PassedOver& passed_over, const Grain& grain = {});
 
-    /// The same, while the case with the inputs of `beside` runs in turns with it in the same process, so that before
-    /// each of its questions another one is asked.
+    /// The same, while the case runs in turns with it in the same process, with the inputs of `beside` and with nearly
+    /// its own: before each of its questions two others are asked.
     [[nodiscard]] RunOutcome run_beside(const Exercise& exercise, const Built& built, const std::string& case_name,
                                         std::uint64_t seed, std::uint64_t beside)
     {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <linux/capability.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -45,6 +46,22 @@ TEST(Capabilities, are_given_up_for_good)
                   return 0;
               }),
               0);
+}
+
+// Grades must not follow from the shell that the grader was started from.
+TEST(Limits, of_the_stack_are_the_same_whatever_they_were)
+{
+    for (const rlim_t before : {rlim_t{1} << 20U, rlim_t{1} << 26U})
+        EXPECT_EQ(status_of([&] {
+                      rlimit stack{};
+                      getrlimit(RLIMIT_STACK, &stack);
+                      stack.rlim_cur = std::min(stack.rlim_max, before);
+                      if (setrlimit(RLIMIT_STACK, &stack) != 0) return 1;
+                      sandbox::limit_resources({});
+                      getrlimit(RLIMIT_STACK, &stack);
+                      return stack.rlim_cur == std::min(stack.rlim_max, rlim_t{sandbox::ResourceLimits::stack}) ? 0 : 2;
+                  }),
+                  0);
 }
 
 }

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/cost.hpp>
 #include <vector>
 
 namespace umbral::grader {
@@ -14,8 +15,14 @@ std::vector<std::string>& asked_so_far()
     static std::vector<std::string> all;
     return all;
 }
+std::uint64_t& work_of_one_call()
+{
+    static std::uint64_t blocks = 0;
+    return blocks;
+}
 int take_down(const std::string& who, int number)
 {
+    count_blocks(work_of_one_call());
     asked_so_far().push_back(who + std::to_string(number));
     return number;
 }
@@ -69,6 +76,16 @@ TEST(Companion, may_be_some_questions_ahead)
 {
     EXPECT_EQ(order(3, 5, 1), (std::vector<std::string>{"b0", "b1", "a0", "b2", "a1", "b3", "a2"}));
     EXPECT_EQ(order(2, 1, 3), (std::vector<std::string>{"b0", "a0", "a1"}));
+}
+
+// What is counted in a case is that case's own: a right weld lost points for its companion's work.
+TEST(Companion, counts_no_work)
+{
+    work_of_one_call() = 100;
+    const std::uint64_t before = blocks_executed();
+    order(3, 5, 1);
+    EXPECT_EQ(blocks_executed() - before, 300U);
+    work_of_one_call() = 0;
 }
 
 TEST(Companion, is_left_where_it_is_when_the_first_has_ended)

@@ -22,8 +22,6 @@ struct Slips {
     std::uint64_t seed = 0;   ///< 0: none
     std::uint32_t left = 0;   ///< numbers until the next one that is replaced
     std::uint32_t count = 0;  ///< of those that were
-
-    friend bool operator==(const Slips&, const Slips&) = default;
 };
 
 /// A small generator of random numbers that gives the same sequence on every machine.
