@@ -16,9 +16,9 @@ namespace {
 constexpr std::size_t most_checks = 2;   ///< for which it is looked for: those that are shown first
 constexpr std::size_t most_wrong = 200;  ///< rows of one run whose questions are compared
 constexpr double much_shorter = 0.75;    ///< of the first question's length
-/// All runs of a unit together, the reference's too: what is shown beside a wrong value is not worth waiting for
-/// longer.
-constexpr double most_seconds = 2;
+/// All runs for one check, the reference's too: what is shown beside a wrong value is not worth waiting for longer. Few
+/// come near it, since a report must not depend on how busy the machine is.
+constexpr double most_seconds = 4;
 
 /// From coarse to fine: the first at which the work is still wrong has the simplest inputs.
 constexpr Grain grains[] = {{1, 0}, {2, 0}, {2, 2}, {3, 0}, {4, 0}, {4, 4}, {6, 0}};
@@ -137,6 +137,23 @@ bool look_at(const Search& search, const Grain& grain, Simplest& simplest)
     return true;
 }
 
+/// From coarse to fine, until finer inputs have no simpler question. False if there is no time to go on, for other checks
+/// neither.
+bool look_at_grains(const Search& search, Simplest& simplest)
+{
+    SpareTime time;
+    time.allow(most_seconds);
+    for (const Grain& grain : grains) {
+        if (!search.worker.spare_time().is_left() || !time.is_left()) return false;
+        const double before = search.worker.run_seconds();
+        const std::optional<double> length = simplest.found ? std::optional(simplest.length) : std::nullopt;
+        if (!look_at(search, grain, simplest)) return false;
+        if (length && simplest.length >= *length) return true;
+        time.spend(search.worker.run_seconds() - before);
+    }
+    return true;
+}
+
 /// The first wrong value that a student is shown.
 const std::optional<Difference>& shown_first(const CheckResult& result)
 {
@@ -167,21 +184,13 @@ void add_simplest_question(Worker& worker, const Exercise& exercise, const Built
         return std::pair(result.checks[i].hidden, judge_of(exercise.checks[i]).place);
     });
     if (checks.size() > most_checks) checks.resize(most_checks);
-    SpareTime time;
-    time.allow(most_seconds);
     for (const std::size_t i : checks) {
         CheckResult& of_check = result.checks[i];
         const Check& check = exercise.checks[i];
         const std::uint64_t seed = check.hidden ? of_check.practice_seed : cases.at(check.case_name).seed;
         const Search search{worker, exercise, built, check, *shown_first(of_check), seed};
         Simplest simplest;
-        const bool in_time = std::ranges::all_of(grains, [&](const Grain& grain) {
-            if (!worker.spare_time().is_left() || !time.is_left()) return false;
-            const double before = worker.run_seconds();
-            const bool ended = look_at(search, grain, simplest);
-            time.spend(worker.run_seconds() - before);
-            return ended;
-        });
+        const bool in_time = look_at_grains(search, simplest);
         if (simplest.found && simplest.length < much_shorter * first_length(search)) {
             if (check.hidden)
                 of_check.practice_example = std::move(simplest.found);
