@@ -50,8 +50,8 @@ std::vector<Primitive> assemble(PrimitiveType type, std::span<const std::uint32_
 
 bool is_front_facing(std::span<const glm::vec2> corners)
 {
-    // Triangles from the first corner. In double the differences and products of floats are exact, so that a triangle's
-    // sign is right.
+    // Triangles from the first corner. In double the differences of coordinates are exact, and so are the products of
+    // those that are multiples of 1/1,024.
     double twice_area = 0;
     for (std::size_t i = 2; i < corners.size(); ++i) {
         const glm::dvec2 a = glm::dvec2(corners[i - 1]) - glm::dvec2(corners[0]);

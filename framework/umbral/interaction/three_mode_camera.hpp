@@ -55,8 +55,8 @@ public:
     /// The observer stays, and the new angles and distance are those to `point`, which thereby becomes the attention
     /// point; a distance under 1.001 min_distance or over max_distance becomes that. A point within 1e-6 of the
     /// observer is in no direction: the call is ignored, and the mode stays. If the point lies straight above or below
-    /// (the sine of the angle to the vertical is under 1e-6), α stays as it is, and the attention point lies that far
-    /// from `point`.
+    /// (the sine of the angle to the vertical is under 1e-6), α stays as it is, and the attention point lies
+    /// beside `point`: as far from the vertical through the observer, but in the direction that α has.
     virtual void look_toward(const glm::dvec3& point) = 0;
 
     /// From examine to move, from move to turn, from turn to examine; nothing else changes. Course: siguienteModo.

@@ -44,8 +44,9 @@ struct Primitive {
 /// positive.
 ///
 /// Places are in window coordinates, in pixels, x to the right and y **up**. A face without area shows its back, as in
-/// OpenGL. Fewer than three corners have no area. Guarantee of the reference: right for every triangle within 16,384
-/// pixels whose coordinates are 0 or at least 1/1,000. Course: "cara delantera, cara trasera".
+/// OpenGL. Fewer than three corners have no area. Guarantee of the reference, for triangles within 16,384 pixels: right
+/// if the coordinates are multiples of 1/1,024, or the area is more than 1e-6 pixels. Course: "cara delantera, cara
+/// trasera".
 [[nodiscard]] bool is_front_facing(std::span<const glm::vec2> corners);
 
 enum class Culling { none, back, front };      ///< which faces are left out (GL_CULL_FACE)

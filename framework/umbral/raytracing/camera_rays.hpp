@@ -12,7 +12,7 @@
 namespace umbral::raytracing {
 
 /// A camera at `eye` that looks at `target` in perspective, so that `up` appears vertical. `up` has a length from 1e-12
-/// to 1e12, and any angle with the view but 0; eye and target differ.
+/// to 1e12, and any angle with the view but 0 and 180 degrees; eye and target differ.
 struct PrimaryCamera {
     glm::vec3 eye{0};
     glm::vec3 target{0, 0, -1};
