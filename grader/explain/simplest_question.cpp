@@ -137,8 +137,8 @@ bool look_at(const Search& search, const Grain& grain, Simplest& simplest)
     return true;
 }
 
-/// From coarse to fine, until finer inputs have no simpler question. False if there is no time to go on, for other checks
-/// neither.
+/// From coarse to fine, until finer inputs have no simpler question. False if there is no time to go on, for other
+/// checks neither.
 bool look_at_grains(const Search& search, Simplest& simplest)
 {
     SpareTime time;
