@@ -19,9 +19,9 @@ struct UnitQuaternion {
 /// by the **shorter** way. At 0 it is `from` and at 1 it is `to`.
 ///
 /// Never NaN: also where both are equal, nearly equal, or opposite (the same orientation). Where both ways are equally
-/// long (half a turn: the product of the quaternions, of these numbers, is exactly 0), the way is that of the quaternions as they are
-/// given. Guarantee of the reference, here and below: of length 1, and turned right, within 3e-7; either sign.
-/// Source: K. Shoemake. Animating Rotation with Quaternion Curves. SIGGRAPH 1985.
+/// long (half a turn: the product of the quaternions, of these numbers, is exactly 0), the way is that of the
+/// quaternions as they are given. Guarantee of the reference, here and below: of length 1, and turned right, within
+/// 3e-7; either sign. Source: K. Shoemake. Animating Rotation with Quaternion Curves. SIGGRAPH 1985.
 [[nodiscard]] UnitQuaternion slerp_shorter(const UnitQuaternion& from, const UnitQuaternion& to, float u);
 
 /// Where a thing is at one time, as an animator gave it. Course: keyframe.

@@ -14,8 +14,9 @@ void draw_hook(Pipeline& pipeline);
 void draw_four_hooks(Pipeline& pipeline, const Figure& hook);
 
 /// Draws `hook` once, turned, scaled alike in x and y, and moved, so that its lower end lies at `from` and its upper
-/// end at `to`; never mirrored. What becomes of z, which is 0 all over a hook, does not matter. Neutral, for which it may push and pop. Composes a translation, a rotation and a
-/// scaling, each by a call of its own; angles come from trigonometric functions.
+/// end at `to`; never mirrored. What becomes of z, which is 0 all over a hook, does not matter. Neutral, for which it
+/// may push and pop. Composes a translation, a rotation and a scaling, each by a call of its own; angles come from
+/// trigonometric functions.
 ///
 /// The points are homogeneous coordinates of the plane, (x, y, 1): the third number is w, not z. If they are the same
 /// place, the hook shrinks to it: no number becomes NaN. Course: problem 2.17 (a), gancho_2p.
