@@ -16,6 +16,7 @@
 #include "explain/practice_example.hpp"
 #include "explain/question_code.hpp"
 #include "explain/simplest_question.hpp"
+#include "explain/wrong_dependence.hpp"
 #include "judge/judges.hpp"
 #include "question/log.hpp"
 #include "report/failing_order.hpp"
@@ -26,6 +27,8 @@ namespace {
 
 /// What wrong answers share is looked for in all checks of a unit together for so long: it is said of one or two.
 constexpr double most_pattern_seconds = 6;
+/// … and what they depend on, of the checks that are shown first.
+constexpr double most_dependence_seconds = 3;
 
 bool fails(const Check& check, const CheckResult& result) { return result.score < check.points; }
 
@@ -65,7 +68,7 @@ public:
     [[nodiscard]] bool known() const { return !log_.rows.empty() || !log_.wholes.empty(); }
 
     void add(const Check& check, CheckResult& result, html::UnitDetail* detail, const std::string& headers,
-             SpareTime& patterns)
+             SpareTime& patterns, SpareTime& dependence)
     {
         const RunOutcome& run = worker_.trusted(exercise_, judged_against(check), case_, one_.seed);
         const Tensor* expected = tensor_of(run, check.value);
@@ -110,6 +113,7 @@ public:
             alone ? AnswerPattern{right_alone_of(exercise_)} : sentence_of(find_in_common(worker_, asked, patterns));
         (one_.hidden ? result.practice : result.common) = std::move(shared.words);
         if (!one_.hidden) result.common_tells = shared.tells;
+        if (!alone) result.depends = wrong_dependence(worker_, asked, dependence);
     }
 
     /// Asks for the code of all that is shown.
@@ -206,6 +210,8 @@ void add_questions(Worker& worker, const Exercise& exercise, const Built& built,
     // Of a mistake that is known, the checks that are shown first are enough.
     const bool explained = std::ranges::any_of(result.explanations, explains_all);
     SpareTime no_more;
+    SpareTime dependence;
+    if (!explained) dependence.allow(most_dependence_seconds);
     std::set<bool> shown;  ///< whether they are hidden
     for (const WrongCase& failing : wrong_cases(exercise, cases, result)) {
         CaseQuestions questions(worker, exercise, built, cases, failing.ran->first);
@@ -213,7 +219,7 @@ void add_questions(Worker& worker, const Exercise& exercise, const Built& built,
         for (const std::size_t i : failing.checks) {
             const bool is_first = shown.insert(exercise.checks[i].hidden).second;
             questions.add(exercise.checks[i], result.checks[i], detail, headers,
-                          explained && !is_first ? no_more : patterns);
+                          explained && !is_first ? no_more : patterns, is_first ? dependence : no_more);
         }
         questions.write();
     }

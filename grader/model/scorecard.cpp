@@ -76,6 +76,7 @@ json check(const CheckResult& value, Detail detail)
     if (value.simplest) result["simplest"] = difference(value.simplest);
     if (!value.common.empty()) result["common"] = text(value.common);
     if (value.common_tells != CommonTells::other) result["common_tells"] = to_string(value.common_tells);
+    if (!value.depends.empty()) result["depends"] = text(value.depends);
     if (value.code_place) result["code_place"] = code_place(*value.code_place);
     if (!value.practice.empty()) result["practice"] = text(value.practice);
     if (value.practice_example) result["practice_example"] = difference(value.practice_example);

@@ -53,6 +53,8 @@ struct CheckResult {
     std::string last_question{};  ///< in which the check's case crashed or did not end, as code; empty where it did not
     std::string common{};  ///< "wrong wherever …": what all questions with wrong answers share; empty if nothing does
     CommonTells common_tells = CommonTells::other;
+    std::string depends{};  ///< what wrong answers depend on and should not, or the reverse; of a hidden check with
+                            ///< practice inputs
     std::optional<CodePlace> code_place{};  ///< of a hidden check, with practice inputs
     std::string practice{};  ///< as `common`, of a hidden check, about inputs that are not graded and the same for all
     std::optional<Difference> practice_example{};  ///< of a hidden check, the first wrong value with such inputs

@@ -79,15 +79,15 @@ CodePlace code_place(const Field& field)
 
 CheckResult check(const Field& field)
 {
-    field.allow_only({"name",       "kind",         "hard",
-                      "hidden",     "unjudged",     "score",
-                      "max_score",  "error",        "reference_error",
-                      "message",    "metrics",      "first_difference",
-                      "common",     "common_tells", "held_back",
-                      "beside",     "simplest",     "about",
-                      "headline",   "sketch",       "artefacts",
-                      "seeds",      "practice",     "practice_example",
-                      "code_place", "last_question"});
+    field.allow_only({"name",       "kind",          "hard",
+                      "hidden",     "unjudged",      "score",
+                      "max_score",  "error",         "reference_error",
+                      "message",    "metrics",       "first_difference",
+                      "common",     "common_tells",  "held_back",
+                      "beside",     "simplest",      "about",
+                      "headline",   "sketch",        "artefacts",
+                      "seeds",      "practice",      "practice_example",
+                      "code_place", "last_question", "depends"});
     CheckResult result;
     result.name = text(field.member("name"));
     result.kind = kind(field.member("kind"));
@@ -108,6 +108,7 @@ CheckResult check(const Field& field)
     if (const Field common = field.member("common"); common.given()) result.common = text(common);
     if (const Field tells = field.member("common_tells"); tells.given())
         result.common_tells = named(tells, common_tells_from, "what wrong answers share");
+    if (const Field depends = field.member("depends"); depends.given()) result.depends = text(depends);
     if (const Field place = field.member("code_place"); place.given()) result.code_place = code_place(place);
     if (const Field practice = field.member("practice"); practice.given()) result.practice = text(practice);
     if (const Field example = field.member("practice_example"); example.given())

@@ -101,14 +101,16 @@ bool holds(const QuestionTile& tile, std::size_t cell)
     return x >= tile.x && x - tile.x < tile.width && y >= tile.y && y - tile.y < tile.height;
 }
 
-void read_others(std::string_view text, QuestionLog& log)
+std::vector<OtherQuestion> others_in(std::string_view text)
 {
+    std::vector<OtherQuestion> others;
     for (const std::string_view line : lines_of(text)) {
         const std::vector<std::string_view> words = split(line, '\t');
         if (words.size() == 4)
-            log.others.push_back(
+            others.push_back(
                 {std::string(words[0]), std::string(words[1]), std::string(words[2]), std::string(words[3])});
     }
+    return others;
 }
 
 void read_histories(std::string_view text, QuestionLog& log)
@@ -177,7 +179,8 @@ QuestionLog read_questions(const Recorder::Tensors& tensors)
     }
     read_code(text_of(tensors, question_names::code), log);
     read_kinds(tensors, log);
-    read_others(text_of(tensors, question_names::others), log);
+    log.others = others_in(text_of(tensors, question_names::others));
+    log.moves = others_in(text_of(tensors, question_names::moves));
     read_histories(text_of(tensors, question_names::histories), log);
     return log;
 }

@@ -47,6 +47,7 @@ struct QuestionLog {
     std::map<std::uint32_t, std::string> code;
     std::vector<QuestionKind> kinds;
     std::vector<OtherQuestion> others;  ///< that can be asked in place of these
+    std::vector<OtherQuestion> moves;   ///< small changes of these
     /// For each function that objects were asked by: those that made them, or may have changed them before.
     std::map<std::string, std::vector<std::string>, std::less<>> histories;
 

@@ -167,6 +167,13 @@ void add_pattern(Block& block, const UnitResult& unit, const std::vector<const C
                        fmt::format("in {}: {}", (*telling)->name, (*telling)->common));
 }
 
+/// What wrong answers depend on and should not, or the reverse, of the check that is shown, where no reason is known.
+void add_dependence(Block& block, const UnitResult& unit, const std::vector<const CheckResult*>& failing)
+{
+    if (failing.empty() || !main_reasons(unit).empty()) return;
+    if (!failing.front()->depends.empty()) block.sentence("depends", failing.front()->depends);
+}
+
 /// The line of the student's own file where wrong answers part from right ones, of the first check of which it is
 /// known.
 void add_code_place(Block& block, const UnitResult& unit, const CheckResult* shown, const Paint& paint)
@@ -242,6 +249,8 @@ void add_others(Block& block, const UnitResult& unit, const std::vector<const Ch
             std::any_of(hidden.begin(), end,
                         [&](const CheckResult* other) { return other->practice == hidden[i]->practice; }) ||
             (!failing.empty() && failing.front()->common == hidden[i]->practice);
+        if (failing.empty() && !hidden[i]->depends.empty())
+            block.sentence("", "On practice inputs, " + hidden[i]->depends);
         if (!told && !hidden[i]->practice.empty()) block.sentence("", "On practice inputs: " + hidden[i]->practice);
     }
     // Of a visible check that fails there is an example above.
@@ -281,6 +290,7 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint, 
             "Every check that you can see is right, but a hidden one is not. Its inputs are others of the kind "
             "that is told below.");
     if (ran) add_pattern(block, unit, failing);
+    if (ran) add_dependence(block, unit, failing);
     if (ran) add_code_place(block, unit, shown, paint);
     add_reasons(block, unit);
     if (ran) add_others(block, unit, failing, paint);

@@ -36,6 +36,7 @@ SubmissionResult without_hidden_values(SubmissionResult submission)
                          .first_difference = {},
                          .common = {},
                          .common_tells = {},
+                         .depends = std::move(check.depends),
                          .code_place = std::move(check.code_place),
                          .practice = std::move(check.practice),
                          .practice_example = std::move(check.practice_example),

@@ -18,6 +18,8 @@ public:
 
     [[nodiscard]] const RunOutcome& plain(std::uint64_t seed);
 
+    [[nodiscard]] const Built& built() const noexcept { return built_; }
+
     /// A run that also says which of its rows each question led to (Worker::run_told).
     [[nodiscard]] const RunOutcome& told(std::uint64_t seed);
 

@@ -206,6 +206,18 @@ RunOutcome Worker::run_told(const Exercise& exercise, const Built& built, const 
     return spare_time_.spent_on(run_students(exercise, wanted));
 }
 
+RunOutcome Worker::run_moved(const Exercise& exercise, const Built& built, const std::string& case_name,
+                             std::uint64_t seed, const std::vector<OtherQuestion>& others)
+{
+    RunRequest wanted = students_request(exercise, built, case_name, seed);
+    const WantedTensors once = std::exchange(wanted.wanted, {});
+    for (std::size_t i = 0; i < others.size(); ++i)
+        for (const auto& [name, most] : once)
+            wanted.wanted.emplace(std::to_string(i) + question_names::of_other + name, most);
+    wanted.inquiry.others = others;
+    return spare_time_.spent_on(run_students(exercise, wanted));
+}
+
 RunOutcome Worker::run_coarse(const Exercise& exercise, const Built& built, const std::string& case_name,
                               std::uint64_t seed, const Grain& grain, const RunOutcome& expected,
                               const PassedOver& passed_over)

@@ -7,8 +7,9 @@ namespace {
 
 const Change* change_of(const Part& part, std::string_view name)
 {
-    const auto found = std::ranges::find(part.changes, name, &Change::name);
-    return found == part.changes.end() ? nullptr : &*found;
+    for (const std::span<const Change> known : {part.changes, part.moves})
+        if (const auto found = std::ranges::find(known, name, &Change::name); found != known.end()) return &*found;
+    return nullptr;
 }
 
 /// Is it the field that an OtherQuestion without a function names so?
@@ -76,6 +77,15 @@ std::vector<OtherQuestion> other_questions(std::string_view function, std::span<
             if (part.type == parts[j].type && !parts[j].of_element)
                 all.push_back({name, place, "", parts[j].place.text()});
     }
+    return all;
+}
+
+std::vector<OtherQuestion> moved_questions(std::string_view function, std::span<const Part> parts)
+{
+    std::vector<OtherQuestion> all;
+    for (const Part& part : parts)
+        for (const Change& move : part.moves)
+            if (!part.of_element) all.push_back({std::string(function), part.place.text(), std::string(move.name), ""});
     return all;
 }
 

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <umbral/record/place.hpp>
 #include <umbral/record/ways_to_change.hpp>
+#include <umbral/record/ways_to_move.hpp>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Part {
     const void* within = nullptr;  ///< the struct itself
     void* value = nullptr;
     std::span<const Change> changes{};
+    std::span<const Change> moves{};  ///< ways_to_move.hpp
     void (*exchange)(void* one, void* other) = nullptr;
     void (*take)(void* one, const void* other) = nullptr;
 };
@@ -67,7 +69,8 @@ void add_parts(const Place& place, Value& value, std::vector<Part>& parts, const
     constexpr bool is_one = !detail::ChangesOf<Value>::all.empty();
     if constexpr (is_one || is_struct)
         parts.push_back({place, reflect::type_name<Value>(), owner.type, owner.is_element, owner.value, &value,
-                         detail::ChangesOf<Value>::all, detail::exchange<Value>, detail::take<Value>});
+                         detail::ChangesOf<Value>::all, detail::MovesOf<Value>::all, detail::exchange<Value>,
+                         detail::take<Value>});
     if constexpr (!is_one && is_struct)
         reflect::for_each_field(value, [&](std::string_view name, auto& field) {
             const std::string_view type = name.starts_with('[') ? "" : reflect::type_name<Value>();
@@ -96,7 +99,7 @@ struct OtherPlace {
 struct OtherQuestion {
     std::string function;
     std::string place;
-    std::string change;  ///< the name of a Change, or taken_for_another; empty: an exchange
+    std::string change;  ///< the name of a Change or of a move, or taken_for_another; empty: an exchange
     std::string other;
     std::vector<OtherPlace> also{};  ///< changed in the same way at the same time
 
@@ -106,6 +109,9 @@ struct OtherQuestion {
 /// All that can be asked with these parts in place of what was asked. What all calls of the struct's field mean follows
 /// what means those of this function.
 [[nodiscard]] std::vector<OtherQuestion> other_questions(std::string_view function, std::span<const Part> parts);
+
+/// All small changes of these parts, by which it shows what answers depend on.
+[[nodiscard]] std::vector<OtherQuestion> moved_questions(std::string_view function, std::span<const Part> parts);
 
 /// The field that a part is, as an OtherQuestion without a function names it; empty for an argument.
 [[nodiscard]] std::string field_of(const Part& part);

@@ -43,8 +43,11 @@ bool Questions::knows(std::string_view function) const
 void Questions::introduce(std::string_view function, const Features& features, std::span<const Part> parts)
 {
     functions_.push_back({std::string(function), features.names, {}});
-    for (const OtherQuestion& one : other_questions(function, parts))
-        others_ += one.function + '\t' + one.place + '\t' + one.change + '\t' + one.other + '\n';
+    const auto line = [](const OtherQuestion& one) {
+        return one.function + '\t' + one.place + '\t' + one.change + '\t' + one.other + '\n';
+    };
+    for (const OtherQuestion& one : other_questions(function, parts)) others_ += line(one);
+    for (const OtherQuestion& one : moved_questions(function, parts)) moves_ += line(one);
 }
 
 void Questions::set_features(std::string_view function, const Features& features)
@@ -167,6 +170,7 @@ void Questions::write(std::map<std::string, Tensor, std::less<>>& tensors) const
     add(std::string(question_names::functions), tensor_of<char>(functions));
     add(std::string(question_names::code), tensor_of<char>(code_));
     add(std::string(question_names::others), tensor_of<char>(others_));
+    add(std::string(question_names::moves), tensor_of<char>(moves_));
 }
 
 }

@@ -42,6 +42,7 @@ inline constexpr std::string_view code = "?code";            ///< lines "number<
 inline constexpr std::string_view functions = "?functions";  ///< lines "function<TAB>feature<TAB>…"
 inline constexpr std::string_view features = "?features ";   ///< + line of ?functions: rows "question, features …"
 inline constexpr std::string_view others = "?others";        ///< lines "function<TAB>place<TAB>change<TAB>other place"
+inline constexpr std::string_view moves = "?moves";          ///< the same, of small changes
 inline constexpr std::string_view histories = "?histories";  ///< lines "function<TAB>what changed its objects<TAB>…"
 inline constexpr char of_other = '?';       ///< between the number of an other question and a recorded name
 inline constexpr char line_break = '\x1F';  ///< in code; texts in it are escaped, and hold no such letter
@@ -143,6 +144,7 @@ private:
     std::string code_;
     std::vector<Function> functions_;
     std::string others_;
+    std::string moves_;
     std::map<const void*, Object> objects_;
     std::set<std::string, std::less<>> changing_;  ///< functions that made objects or changed them
     std::map<std::string, std::set<std::string, std::less<>>, std::less<>> histories_;

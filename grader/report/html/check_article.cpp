@@ -153,6 +153,9 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
     if (!check.common.empty()) result += markup("<p class=\"common\">{}</p>\n", sentence(check.common));
     if (!check.practice.empty())
         result += markup("<p class=\"common\">{}</p>\n", sentence("on practice inputs: " + check.practice));
+    if (!check.depends.empty())
+        result += markup("<p class=\"common\">{}</p>\n",
+                         sentence((check.hidden ? "on practice inputs, " : "") + check.depends));
     result += code_place(check);
     result += wrong_question("A wrong value on practice inputs", check.practice_example);
     result += wrong_question("The simplest question with a wrong answer", check.simplest);

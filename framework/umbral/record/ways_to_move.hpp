@@ -1,0 +1,130 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <umbral/record/ways_to_change.hpp>
+#include <vector>
+
+/// Small changes of an argument, by which it shows what an answer depends on: whoever uses it answers otherwise.
+/// A name says what of the argument is moved: "moved" all of it, "moved .x" its x, "moved [2]" an element, "moved
+/// length" and "moved direction" nothing else of a vector.
+namespace umbral::detail {
+
+/// By a sixteenth: more than rounding, and hardly out of the range that a unit allows. Nothing becomes 0.
+template <class Number>
+void move_number(Number& x)
+{
+    x = x == 0 ? Number(1) / 16 : x + x / 16;
+}
+
+/// Another vector of the same length.
+template <class Vector>
+void move_direction(Vector& v)
+{
+    Vector moved = v;
+    for (glm::length_t i = 0; i < v.length(); ++i) moved[i] += v[(i + 1) % v.length()] / 8;
+    const auto length = glm::length(moved);
+    if (length > 0) v = moved * (glm::length(v) / length);
+}
+
+template <class Value>
+struct MovesOf {
+    static constexpr std::array<Change, 0> all{};
+};
+
+template <>
+struct MovesOf<bool> {
+    static constexpr std::array all{change<bool>("moved", [](bool& b) { b = !b; })};
+};
+
+template <class Number>
+requires std::is_floating_point_v<Number>
+struct MovesOf<Number> {
+    static constexpr std::array all{change<Number>("moved", [](Number& x) { move_number(x); })};
+};
+
+template <class Number>
+requires(std::is_integral_v<Number> && !std::is_same_v<Number, bool>) struct MovesOf<Number> {
+    static constexpr std::array all{
+        change<Number>("moved", [](Number& x) { x = x == std::numeric_limits<Number>::max() ? x : x + 1; })};
+};
+
+template <class Enum>
+requires std::is_enum_v<Enum>
+struct MovesOf<Enum> {
+    static constexpr std::array all{change<Enum>("moved", [](Enum& e) {
+        e = static_cast<Enum>((static_cast<int>(e) + 1) % std::max(1, reflect::enumerators<Enum>));
+    })};
+};
+
+template <class Vector, int Component>
+constexpr Change component_moved(std::string_view name)
+{
+    return change<Vector>(name, [](Vector& v) {
+        if constexpr (std::is_floating_point_v<typename Vector::value_type>)
+            move_number(v[Component]);
+        else
+            ++v[Component];
+    });
+}
+
+template <class Vector>
+requires(literal::detail::is_vector<Vector> &&
+         !std::is_same_v<typename Vector::value_type, bool>) struct MovesOf<Vector> {
+    static constexpr std::array first{component_moved<Vector, 0>("moved .x"), component_moved<Vector, 1>("moved .y")};
+    static constexpr auto of_three = [] {
+        if constexpr (Vector::length() < 3)
+            return first;
+        else
+            return joined(first, std::array{component_moved<Vector, 2>("moved .z")});
+    }();
+    static constexpr auto of_four = [] {
+        if constexpr (Vector::length() < 4)
+            return of_three;
+        else
+            return joined(of_three, std::array{component_moved<Vector, 3>("moved .w")});
+    }();
+    static constexpr auto all = [] {
+        if constexpr (!std::is_floating_point_v<typename Vector::value_type>)
+            return of_four;
+        else
+            return joined(of_four, std::array{change<Vector>("moved length", [](Vector& v) { v += v / Vector(16); }),
+                                              change<Vector>("moved direction", [](Vector& v) { move_direction(v); })});
+    }();
+};
+
+/// A turn more: what is rigid remains so.
+template <class Matrix>
+requires literal::detail::is_matrix<Matrix>
+struct MovesOf<Matrix> {
+    static constexpr std::array all{change<Matrix>("moved", [](Matrix& m) {
+        const auto x = m[0];
+        constexpr typename Matrix::value_type sine = 0.28F;
+        constexpr typename Matrix::value_type cosine = 0.96F;
+        m[0] = m[0] * cosine + m[1] * sine;
+        m[1] = m[1] * cosine - x * sine;
+    })};
+};
+
+template <class List, std::size_t Index>
+constexpr Change element_moved(std::string_view name)
+{
+    return change<List>(name, [](List& list) {
+        if (Index >= list.size()) return;
+        for (glm::length_t i = 0; i < list[Index].length(); ++i) move_number(list[Index][i]);
+    });
+}
+
+/// Places and directions; lists of whole numbers say which element of another list is meant.
+template <class Element>
+requires(literal::detail::is_vector<Element>&&
+             std::is_floating_point_v<typename Element::value_type>) struct MovesOf<std::vector<Element>> {
+    using List = std::vector<Element>;
+    static constexpr std::array all{
+        element_moved<List, 0>("moved [0]"), element_moved<List, 1>("moved [1]"), element_moved<List, 2>("moved [2]"),
+        element_moved<List, 3>("moved [3]"), element_moved<List, 4>("moved [4]"), element_moved<List, 5>("moved [5]"),
+    };
+};
+
+}

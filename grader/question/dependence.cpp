@@ -1,0 +1,150 @@
+#include "question/dependence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "question/alike.hpp"
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::size_t least_answers = 3;  ///< … in which something is seen
+constexpr std::size_t most_places = 3;    ///< that are told, and numbers of which it is told
+constexpr double least_change = 1e-4;     ///< of a number: less may be rounding
+constexpr double most_rest = 2e-6;        ///< of a row's size: so much is rounding
+
+/// What becomes of one number as an argument is moved.
+struct Reaction {
+    std::size_t seen = 0;
+    std::size_t changed = 0;
+    std::size_t still = 0;
+
+    void add(double before, double after, double size)
+    {
+        ++seen;
+        const double change = std::abs(after - before);
+        if (change > least_change * std::max(std::abs(before), std::abs(after)) && change > 5 * most_rest * size)
+            ++changed;
+        if (change <= most_rest * size) ++still;
+    }
+    [[nodiscard]] bool changes() const { return seen >= least_answers && 2 * changed >= seen; }
+    [[nodiscard]] bool stays() const { return seen >= least_answers && still == seen; }
+};
+
+struct Reactions {
+    Reaction yours{};
+    Reaction right{};
+};
+
+std::span<const double> row_of(const std::vector<double>& table, std::size_t row, std::size_t components)
+{
+    return std::span(table).subspan(row * components, components);
+}
+
+bool are_finite(std::span<const double> numbers)
+{
+    return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
+}
+
+/// For each number of the answers, over all wrong rows that have numbers before and after on both sides.
+std::vector<Reactions> reactions_to(const MovedAnswers& moved, const AnswersToMoves& answers)
+{
+    std::vector<Reactions> reactions(answers.components);
+    if (moved.yours.size() != answers.yours.size() || moved.right.size() != answers.right.size()) return reactions;
+    for (const std::size_t row : answers.wrong) {
+        const auto yours = row_of(answers.yours, row, answers.components);
+        const auto right = row_of(answers.right, row, answers.components);
+        const auto yours_moved = row_of(moved.yours, row, answers.components);
+        const auto right_moved = row_of(moved.right, row, answers.components);
+        if (!are_finite(yours) || !are_finite(right) || !are_finite(yours_moved) || !are_finite(right_moved)) continue;
+        const double size_of_yours = std::max(size_of(yours), size_of(yours_moved));
+        const double size_of_right = std::max(size_of(right), size_of(right_moved));
+        for (std::size_t i = 0; i < answers.components; ++i) {
+            reactions[i].yours.add(yours[i], yours_moved[i], size_of_yours);
+            reactions[i].right.add(right[i], right_moved[i], size_of_right);
+        }
+    }
+    return reactions;
+}
+
+/// "0.size.x" of "0.size" and "moved .x", "length of 0.normal" of "moved length".
+std::string place_of(const OtherQuestion& move)
+{
+    constexpr std::string_view moved = "moved";
+    std::string_view what = std::string_view(move.change).substr(moved.size());
+    if (what.starts_with(' ')) what.remove_prefix(1);
+    if (what.empty() || what == "direction") return move.place;
+    if (what == "length") return "length of " + move.place;
+    return move.place + std::string(what);
+}
+
+/// A vector in place of all its components, or of its length and others of its parts.
+void join_components(std::set<std::string>& places)
+{
+    std::map<std::string, std::size_t> components;
+    for (const std::string& place : places)
+        if (const std::size_t dot = place.rfind('.');
+            dot + 2 == place.size() && std::string_view("xyzw").find(place.back()) != std::string_view::npos)
+            ++components[place.substr(0, dot)];
+    std::set<std::string> whole;
+    for (const auto& [vector, count] : components)
+        if (count >= 3 || (count > 0 && (places.contains("length of " + vector) || places.contains(vector))))
+            whole.insert(vector);
+    std::erase_if(places, [&](const std::string& place) {
+        return std::ranges::any_of(whole, [&](const std::string& vector) {
+            return place == "length of " + vector ||
+                   (place.starts_with(vector + ".") && place.size() == vector.size() + 2);
+        });
+    });
+    places.merge(whole);
+    std::erase_if(places, [&](const std::string& place) {
+        constexpr std::string_view length = "length of ";
+        return place.starts_with(length) && places.contains(place.substr(length.size()));
+    });
+}
+
+std::vector<std::string> told(std::set<std::string> places)
+{
+    join_components(places);
+    if (places.size() > most_places) return {};
+    return {places.begin(), places.end()};
+}
+
+}
+
+std::vector<Dependence> dependences(const AnswersToMoves& answers)
+{
+    std::vector<Dependence> all;
+    std::vector<std::vector<Reactions>> reactions;
+    for (const MovedAnswers& moved : answers.moved) reactions.push_back(reactions_to(moved, answers));
+    for (std::size_t i = 0; i < answers.components; ++i) {
+        std::set<std::string> wrongly;
+        std::set<std::string> lacking;
+        std::size_t seen = 0;
+        bool is_constant = true;
+        for (std::size_t m = 0; m < answers.moved.size(); ++m) {
+            const auto& [yours, right] = reactions[m][i];
+            seen = std::max(seen, yours.seen);
+            is_constant = is_constant && yours.changed == 0;
+            if (yours.changes() && right.stays()) wrongly.insert(place_of(answers.moved[m].move));
+            if (right.changes() && yours.stays()) lacking.insert(place_of(answers.moved[m].move));
+        }
+        if (is_constant) continue;
+        Dependence one{{i}, told(std::move(wrongly)), told(std::move(lacking)), seen};
+        if (one.wrongly.empty() && one.lacking.empty()) continue;
+        const auto same = std::ranges::find_if(all, [&](const Dependence& other) {
+            return other.wrongly == one.wrongly && other.lacking == one.lacking && other.answers == one.answers;
+        });
+        if (same != all.end())
+            same->components.push_back(i);
+        else
+            all.push_back(std::move(one));
+    }
+    return all;
+}
+
+}

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <umbral/record/changes.hpp>
+
+namespace umbral::grader {
+
+/// Tables of answers, row after row, to a case's questions as they were asked, and with an argument moved
+/// (umbral/record/ways_to_move.hpp) in all of them. NaN where there is no number.
+struct MovedAnswers {
+    OtherQuestion move;
+    std::vector<double> yours{};
+    std::vector<double> right{};
+};
+
+/// Answers of a check, and what becomes of them as arguments are moved.
+struct AnswersToMoves {
+    std::size_t components = 1;
+    std::vector<double> yours{};
+    std::vector<double> right{};
+    std::vector<std::size_t> wrong{};  ///< rows of answers that are looked at: wrong ones
+    std::vector<MovedAnswers> moved{};
+};
+
+/// What wrong answers depend on in place of what they should, in some of their numbers.
+struct Dependence {
+    std::vector<std::size_t> components{};
+    std::vector<std::string> wrongly{};  ///< places that they change with, and the right ones do not
+    std::vector<std::string> lacking{};  ///< places that the right ones change with, and they do not
+    std::size_t answers = 0;             ///< how many it was seen in
+
+    friend bool operator==(const Dependence&, const Dependence&) = default;
+};
+
+/// Numbers of wrong answers that all change with an argument that no right one changes with there, or the reverse. Said
+/// of few places only: an answer that changes with nothing is constant, and one that changes with everything is of
+/// another kind. Places are as in OtherQuestion, with what is moved of them behind ("1.axis", "0.size.x", "length of
+/// 0.normal").
+[[nodiscard]] std::vector<Dependence> dependences(const AnswersToMoves& answers);
+
+}

@@ -1,0 +1,67 @@
+#include "question/movable.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::string_view keeps_length = "moved direction";
+constexpr double nearly_one = 1e-3;  ///< of the square of a length
+
+/// Does the feature belong to what stands at `place`?
+bool is_within(std::string_view feature, std::string_view place)
+{
+    return feature.starts_with(place) &&
+           (feature.size() == place.size() || feature[place.size()] == '.' || feature[place.size()] == '[');
+}
+
+/// What a place is a part of; empty of an argument.
+std::string_view outer(std::string_view place)
+{
+    const std::size_t end = place.find_last_of(".[");
+    return end == std::string_view::npos ? std::string_view() : place.substr(0, end);
+}
+
+/// Have the numbers at the place together length 1 in all questions?
+bool is_unit(const QuestionKind& kind, std::string_view place)
+{
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < kind.features.size(); ++i)
+        if (is_within(kind.features[i], place)) numbers.push_back(i);
+    return numbers.size() > 1 && !kind.questions.empty() && std::ranges::all_of(kind.questions, [&](const auto& one) {
+               double square = 0;
+               for (const std::size_t i : numbers) square += one.second.at(i) * one.second.at(i);
+               return std::abs(square - 1) <= nearly_one;
+           });
+}
+
+}
+
+std::vector<OtherQuestion> movable(const QuestionLog& log, const std::string& function)
+{
+    std::vector<OtherQuestion> all;
+    const auto kind = std::ranges::find(log.kinds, function, &QuestionKind::function);
+    if (kind == log.kinds.end()) return all;
+    std::vector<std::string> unit_vectors;
+    for (const OtherQuestion& move : log.moves)
+        if (move.function == function && move.change == keeps_length && is_unit(*kind, move.place))
+            unit_vectors.push_back(move.place);
+    for (const OtherQuestion& move : log.moves) {
+        if (move.function != function) continue;
+        const bool is_unit_vector = std::ranges::find(unit_vectors, move.place) != unit_vectors.end();
+        if (is_unit_vector != (move.change == keeps_length)) continue;
+        const auto stands_beside = [&](const std::string& other) {
+            return other != move.place && !outer(other).empty() && outer(other) == outer(move.place);
+        };
+        if (is_unit_vector && std::ranges::any_of(unit_vectors, stands_beside)) continue;
+        bool is_of_unit = false;
+        for (std::string_view place = outer(move.place); !place.empty(); place = outer(place))
+            is_of_unit = is_of_unit || is_unit(*kind, place);
+        if (!is_of_unit) all.push_back(move);
+    }
+    return all;
+}
+
+}

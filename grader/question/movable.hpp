@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "question/log.hpp"
+
+namespace umbral::grader {
+
+/// The moves of a function's arguments (QuestionLog::moves) that leave its questions questions: of what has length 1 in
+/// all of them, as directions and quaternions, only moves that keep the length, and of the vectors of a frame none.
+[[nodiscard]] std::vector<OtherQuestion> movable(const QuestionLog& log, const std::string& function);
+
+}
