@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <umbral/record/variation.hpp>
 
 #include "build/traced.hpp"
 #include "explain/asked_alone.hpp"
@@ -55,9 +56,12 @@ public:
         std::vector<PartingPlace> found = parting_places(seen);
         if (found.empty()) return std::nullopt;
         PassedPlaces fresh;
-        for (std::size_t i = 0; i < most_fresh; ++i) add(asked_, input_seed(asked_, used + i), fresh);
-        if (!lacks(fresh, true) && !lacks(fresh, false))
-            std::erase_if(found, [&](const PartingPlace& one) { return !parts(place_among(one, fresh)); });
+        for (std::size_t i = 0; i < most_fresh; ++i)
+            add(asked_, VariedSeed::with_mark(input_seed(asked_, used + i)), fresh);
+        const bool is_confirmed = !lacks(fresh, true) && !lacks(fresh, false);
+        std::erase_if(found, [&](const PartingPlace& one) {
+            return is_confirmed ? !parts(place_among(one, fresh)) : are_few(one);
+        });
         if (found.size() <= 1) return found.empty() ? std::nullopt : std::optional(found.front());
         // What is reached only where a bug is, is told from what leads there by questions that turn off in between.
         if (elsewhere.wrong.empty()) elsewhere = among(others, cases, built);
@@ -156,6 +160,8 @@ std::optional<CodePlace> code_place(const Built& built, const SourcePlace& place
     const std::optional<std::string_view> line = source_line(file->second, place.line);
     if (!line) return std::nullopt;
     const std::size_t indent = std::min(line->find_first_not_of(" \t"), line->size());
+    // Where right ones alone go, a part of a condition is where their inputs go.
+    if (!parting.of_wrong && decides_within(*line)) return std::nullopt;
     std::string text = one_line(line->substr(indent), most_bytes);
     const int column = place.column - static_cast<int>(indent);
     // What is written otherwise than it stands in the file has its columns elsewhere.
@@ -205,7 +211,7 @@ void add_code_place(Worker& worker, const Exercise& exercise, const Built& built
         const auto found = search.find(checks_beside(exercise, cases, check), cases, built);
         if (!found) continue;
         result.checks[i].code_place = code_place(built, traced_runs.place(found->place), *found);
-        return;
+        if (result.checks[i].code_place) return;
     }
 }
 

@@ -29,4 +29,10 @@ bool says_what_runs(std::string_view line)
     return word != "else" || line.find_first_not_of(beside, word.size()) != std::string_view::npos;
 }
 
+bool decides_within(std::string_view line)
+{
+    constexpr std::array words = {"&&", "||", " ? "};
+    return std::ranges::any_of(words, [&](const char* word) { return line.find(word) != std::string_view::npos; });
+}
+
 }

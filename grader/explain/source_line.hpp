@@ -12,4 +12,7 @@ namespace umbral::grader {
 /// stands, nor the head of a class, where that of functions stands which nobody wrote.
 [[nodiscard]] bool says_what_runs(std::string_view line);
 
+/// Does it decide something within itself, by && or || or ?: Then a place in it need not be the whole line's.
+[[nodiscard]] bool decides_within(std::string_view line);
+
 }

@@ -16,6 +16,7 @@
 #include "question/names.hpp"
 
 #include <umbral/record/questions.hpp>
+#include <umbral/record/reflect.hpp>
 
 namespace umbral::grader {
 namespace {
@@ -25,6 +26,7 @@ constexpr std::size_t most_cells = 20'000;  ///< of a table
 constexpr std::size_t most_tensors = 240;   ///< in one run
 constexpr double most_seconds_of_runs = 1;  ///< of the reference's
 constexpr std::size_t fresh_place = 11;     ///< of practice inputs, behind those that conditions are confirmed on
+constexpr std::size_t enough_wrong = 8;     ///< answers; of fewer, other cases are asked too
 constexpr std::size_t most_told = 2;        ///< kinds of dependence
 constexpr std::size_t most_named = 3;       ///< numbers of an answer
 
@@ -37,6 +39,17 @@ std::string function_of(const AskedAnswers& answers, const QuestionLog& log)
             ++count[kind->function];
     const auto most = std::ranges::max_element(count, {}, [](const auto& one) { return one.second; });
     return most == count.end() ? std::string() : most->first;
+}
+
+/// What is to be moved: the function's own arguments, and those of the functions that made or changed its objects.
+std::vector<OtherQuestion> moves_of(const QuestionLog& log, const std::string& function)
+{
+    std::vector<OtherQuestion> moves = movable(log, function);
+    const auto history = log.histories.find(function);
+    if (history == log.histories.end()) return moves;
+    for (const std::string& before : history->second)
+        if (before != function) std::ranges::copy(movable(log, before), std::back_inserter(moves));
+    return moves;
 }
 
 /// The numbers of a table as large as `like`; NaN where there is none.
@@ -106,10 +119,11 @@ void add_answers(Worker& worker, const AskedCheck& asked, std::uint64_t seed, st
     const RunOutcome& expected = worker.trusted(asked.exercise, judged_against(check), check.case_name, seed);
     const Tensor* const right = tensor_of(expected, check.value);
     const Tensor* const yours = observed(check, asked.runs.plain(seed));
-    if (function.empty() || answers.picture || right == nullptr || !well_formed(*right) ||
-        !has_single_rows(check, yours, right) || right->cells() * right->components > most_cells)
+    if (function.empty() || answers.picture || (!all.moved.empty() && answers.components != all.components) ||
+        right == nullptr || !well_formed(*right) || !has_single_rows(check, yours, right) ||
+        right->cells() * right->components > most_cells)
         return;
-    std::vector<OtherQuestion> moves = movable(log, function);
+    std::vector<OtherQuestion> moves = moves_of(log, function);
     moves.resize(std::min(moves.size(), most_moves));
     if (expected.cpu_seconds * static_cast<double>(moves.size()) > most_seconds_of_runs) return;
     std::vector<MovedAnswers> moved;
@@ -141,42 +155,53 @@ void add_answers(Worker& worker, const AskedCheck& asked, std::uint64_t seed, st
             append(each.right, again == moved.end() ? std::vector<double>() : again->right, size);
         }
     }
-    named = std::move(answers);
+    if (named.all.empty()) named = std::move(answers);
 }
 
-/// "box.left, box.right and the length of axis"
-std::string listed(const std::vector<std::string>& places, const std::vector<std::string>& parameters)
-{
-    constexpr std::string_view length = "length of ";
-    std::string text;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const bool is_length = places[i].starts_with(length);
-        text += i == 0 ? "" : i + 1 == places.size() ? " and " : ", ";
-        text += is_length ? "the length of " + in_words(places[i].substr(length.size()), parameters)
-                          : in_words(places[i], parameters);
+/// Writes what answers depend on in the words of the unit's headers.
+class Words {
+public:
+    Words(const std::string& headers, std::string function) : headers_(headers), function_(std::move(function)) {}
+
+    [[nodiscard]] std::string sentence(const Dependence& one, const AskedAnswers& answers) const
+    {
+        std::string text;
+        if (one.lacking.empty())
+            text = fmt::format("your answers change with {}, and the right ones do not", listed(one.wrongly));
+        else if (one.wrongly.empty())
+            text = fmt::format("your answers do not change with {}, and the right ones do", listed(one.lacking));
+        else
+            text = fmt::format("your answers change with {}, and the right ones with {} instead", listed(one.wrongly),
+                               listed(one.lacking));
+        std::vector<std::string> names;
+        for (const std::size_t i : one.components)
+            if (i < answers.columns.size()) names.push_back(answers.columns[i]);
+        const bool is_all = one.components.size() == answers.components;
+        if (!is_all) text.insert(0, fmt::format("in {} ", fmt::join(names, ", ")));
+        return text + fmt::format(" ({} wrong ones)", one.answers);
     }
-    return text;
-}
 
-std::string sentence_of(const Dependence& one, const AskedAnswers& answers, const std::vector<std::string>& parameters)
-{
-    std::string text;
-    if (one.lacking.empty())
-        text = fmt::format("your answers change with {}, and the right ones do not", listed(one.wrongly, parameters));
-    else if (one.wrongly.empty())
-        text =
-            fmt::format("your answers do not change with {}, and the right ones do", listed(one.lacking, parameters));
-    else
-        text = fmt::format("your answers change with {}, and the right ones with {} instead",
-                           listed(one.wrongly, parameters), listed(one.lacking, parameters));
-    std::vector<std::string> names;
-    for (const std::size_t i : one.components)
-        if (i < answers.columns.size()) names.push_back(answers.columns[i]);
-    const bool is_all = one.components.size() == answers.components;
-    if (!is_all && names.size() == one.components.size() && names.size() <= most_named)
-        text.insert(0, fmt::format("in {} ", fmt::join(names, ", ")));
-    return text + fmt::format(" ({} wrong ones)", one.answers);
-}
+private:
+    [[nodiscard]] std::string word(const MovedPlace& one) const
+    {
+        std::string text =
+            (one.is_length ? "the length of " : "") + in_words(one.place, parameter_names(headers_, one.function));
+        if (one.function != function_) text += " of " + std::string(reflect::last_name(one.function));
+        return text;
+    }
+
+    /// "box.left, box.right and the length of axis"
+    [[nodiscard]] std::string listed(const std::vector<MovedPlace>& places) const
+    {
+        std::string text;
+        for (std::size_t i = 0; i < places.size(); ++i)
+            text += (i == 0 ? "" : i + 1 == places.size() ? " and " : ", ") + word(places[i]);
+        return text;
+    }
+
+    const std::string& headers_;
+    std::string function_;
+};
 
 /// May it be said of these numbers? Those without a name of their own are told of only if it is all of them.
 bool can_be_named(const Dependence& one, const AskedAnswers& answers)
@@ -194,18 +219,26 @@ std::string wrong_dependence(Worker& worker, const AskedCheck& asked, SpareTime&
     AnswersToMoves all;
     AskedAnswers named;
     std::string function;
-    add_answers(worker, asked, input_seed(asked, 0), function, named, all, time);
+    const auto add = [&](const AskedCheck& one, std::uint64_t seed) {
+        add_answers(worker, one, seed, function, named, all, time);
+    };
+    add(asked, input_seed(asked, 0));
+    add(asked, VariedSeed::with_mark(input_seed(asked, fresh_place)));
     if (all.moved.empty()) return "";
-    add_answers(worker, asked, VariedSeed::with_mark(input_seed(asked, fresh_place)), function, named, all, time);
+    if (asked.others)
+        asked.others([&](const AskedCheck& other) {
+            if (all.wrong.size() < enough_wrong) add(other, input_seed(other, 0));
+            return all.wrong.size() < enough_wrong && time.is_left();
+        });
     std::vector<Dependence> found = dependences(all);
     std::erase_if(found, [&](const Dependence& one) { return !can_be_named(one, named); });
     // What a number depends on instead says more than that it depends on something.
     std::ranges::stable_sort(found, {},
                              [](const Dependence& one) { return one.wrongly.empty() || one.lacking.empty(); });
     if (found.size() > most_told) found.resize(most_told);
-    const std::vector<std::string> parameters = parameter_names(asked.headers, function);
+    const Words words(asked.headers, function);
     std::string text;
-    for (const Dependence& one : found) text += (text.empty() ? "" : "; ") + sentence_of(one, named, parameters);
+    for (const Dependence& one : found) text += (text.empty() ? "" : "; ") + words.sentence(one, named);
     return text;
 }
 

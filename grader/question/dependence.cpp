@@ -71,43 +71,47 @@ std::vector<Reactions> reactions_to(const MovedAnswers& moved, const AnswersToMo
     return reactions;
 }
 
-/// "0.size.x" of "0.size" and "moved .x", "length of 0.normal" of "moved length".
-std::string place_of(const OtherQuestion& move)
+/// "0.size.x" of "0.size" and "moved .x".
+MovedPlace place_of(const OtherQuestion& move)
 {
     constexpr std::string_view moved = "moved";
     std::string_view what = std::string_view(move.change).substr(moved.size());
     if (what.starts_with(' ')) what.remove_prefix(1);
-    if (what.empty() || what == "direction") return move.place;
-    if (what == "length") return "length of " + move.place;
-    return move.place + std::string(what);
+    const bool is_length = what == "length";
+    if (what == "direction" || is_length) what = {};
+    return {move.function, move.place + std::string(what), is_length};
 }
 
-/// A vector in place of all its components, or of its length and others of its parts.
-void join_components(std::set<std::string>& places)
+/// The vector that a component is one of; nothing if it is none.
+std::optional<MovedPlace> vector_of(const MovedPlace& place)
 {
-    std::map<std::string, std::size_t> components;
-    for (const std::string& place : places)
-        if (const std::size_t dot = place.rfind('.');
-            dot + 2 == place.size() && std::string_view("xyzw").find(place.back()) != std::string_view::npos)
-            ++components[place.substr(0, dot)];
-    std::set<std::string> whole;
+    const std::size_t dot = place.place.rfind('.');
+    const bool is_component = dot != std::string::npos && dot + 2 == place.place.size() &&
+                              std::string_view("xyzw").find(place.place.back()) != std::string_view::npos;
+    if (!is_component) return std::nullopt;
+    return MovedPlace{place.function, place.place.substr(0, dot)};
+}
+
+/// A vector in place of three of its components, or of one beside its length.
+void join_components(std::set<MovedPlace>& places)
+{
+    std::map<MovedPlace, std::size_t> components;
+    for (const MovedPlace& place : places)
+        if (const auto vector = vector_of(place)) ++components[*vector];
+    std::set<MovedPlace> whole;
+    for (const MovedPlace& place : places)
+        if (!place.is_length && !vector_of(place)) whole.insert(place);
     for (const auto& [vector, count] : components)
-        if (count >= 3 || (count > 0 && (places.contains("length of " + vector) || places.contains(vector))))
-            whole.insert(vector);
-    std::erase_if(places, [&](const std::string& place) {
-        return std::ranges::any_of(whole, [&](const std::string& vector) {
-            return place == "length of " + vector ||
-                   (place.starts_with(vector + ".") && place.size() == vector.size() + 2);
-        });
+        if (count >= 3 || places.contains({vector.function, vector.place, true})) whole.insert(vector);
+    std::erase_if(places, [&](const MovedPlace& place) {
+        const auto vector = vector_of(place);
+        return (vector && whole.contains(*vector)) ||
+               (place.is_length && whole.contains({place.function, place.place, false}));
     });
     places.merge(whole);
-    std::erase_if(places, [&](const std::string& place) {
-        constexpr std::string_view length = "length of ";
-        return place.starts_with(length) && places.contains(place.substr(length.size()));
-    });
 }
 
-std::vector<std::string> told(std::set<std::string> places)
+std::vector<MovedPlace> told(std::set<MovedPlace> places)
 {
     join_components(places);
     if (places.size() > most_places) return {};
@@ -122,20 +126,22 @@ std::vector<Dependence> dependences(const AnswersToMoves& answers)
     std::vector<std::vector<Reactions>> reactions;
     for (const MovedAnswers& moved : answers.moved) reactions.push_back(reactions_to(moved, answers));
     for (std::size_t i = 0; i < answers.components; ++i) {
-        std::set<std::string> wrongly;
-        std::set<std::string> lacking;
+        std::set<MovedPlace> wrongly;
+        std::set<MovedPlace> lacking;
         std::size_t seen = 0;
         bool is_constant = true;
+        bool is_like_right = false;  ///< something is used as it should be
         for (std::size_t m = 0; m < answers.moved.size(); ++m) {
             const auto& [yours, right] = reactions[m][i];
             seen = std::max(seen, yours.seen);
             is_constant = is_constant && yours.changed == 0;
+            is_like_right = is_like_right || (yours.changes() && right.changes());
             if (yours.changes() && right.stays()) wrongly.insert(place_of(answers.moved[m].move));
             if (right.changes() && yours.stays()) lacking.insert(place_of(answers.moved[m].move));
         }
         if (is_constant) continue;
         Dependence one{{i}, told(std::move(wrongly)), told(std::move(lacking)), seen};
-        if (one.wrongly.empty() && one.lacking.empty()) continue;
+        if (one.wrongly.empty() && (one.lacking.empty() || !is_like_right)) continue;
         const auto same = std::ranges::find_if(all, [&](const Dependence& other) {
             return other.wrongly == one.wrongly && other.lacking == one.lacking && other.answers == one.answers;
         });

@@ -25,20 +25,28 @@ struct AnswersToMoves {
     std::vector<MovedAnswers> moved{};
 };
 
+/// Something that an answer changes with, of the arguments of a function.
+struct MovedPlace {
+    std::string function;
+    std::string place;       ///< as in OtherQuestion, with what is moved of it behind: "1.axis", "0.size.x"
+    bool is_length = false;  ///< only the length of the vector there
+
+    friend auto operator<=>(const MovedPlace&, const MovedPlace&) = default;
+};
+
 /// What wrong answers depend on in place of what they should, in some of their numbers.
 struct Dependence {
     std::vector<std::size_t> components{};
-    std::vector<std::string> wrongly{};  ///< places that they change with, and the right ones do not
-    std::vector<std::string> lacking{};  ///< places that the right ones change with, and they do not
-    std::size_t answers = 0;             ///< how many it was seen in
+    std::vector<MovedPlace> wrongly{};  ///< that they change with, and the right ones do not
+    std::vector<MovedPlace> lacking{};  ///< that the right ones change with, and they do not
+    std::size_t answers = 0;            ///< how many it was seen in
 
     friend bool operator==(const Dependence&, const Dependence&) = default;
 };
 
 /// Numbers of wrong answers that all change with an argument that no right one changes with there, or the reverse. Said
 /// of few places only: an answer that changes with nothing is constant, and one that changes with everything is of
-/// another kind. Places are as in OtherQuestion, with what is moved of them behind ("1.axis", "0.size.x", "length of
-/// 0.normal").
+/// another kind.
 [[nodiscard]] std::vector<Dependence> dependences(const AnswersToMoves& answers);
 
 }

@@ -37,6 +37,19 @@ bool is_unit(const QuestionKind& kind, std::string_view place)
            });
 }
 
+/// Is it a matrix's entry that is 0 in all questions, or 1 in all: what makes it a matrix of its kind?
+bool is_fixed_entry(const QuestionKind& kind, const OtherQuestion& move)
+{
+    constexpr std::string_view entry = "moved [";
+    if (!move.change.starts_with(entry) || !move.change.ends_with(']')) return false;
+    const std::string feature = move.place + move.change.substr(entry.size() - 1);
+    const auto found = std::ranges::find(kind.features, feature);
+    if (found == kind.features.end()) return false;
+    const auto place = static_cast<std::size_t>(found - kind.features.begin());
+    return std::ranges::all_of(kind.questions, [&](const auto& one) { return one.second.at(place) == 0; }) ||
+           std::ranges::all_of(kind.questions, [&](const auto& one) { return one.second.at(place) == 1; });
+}
+
 }
 
 std::vector<OtherQuestion> movable(const QuestionLog& log, const std::string& function)
@@ -56,8 +69,11 @@ std::vector<OtherQuestion> movable(const QuestionLog& log, const std::string& fu
             return other != move.place && !outer(other).empty() && outer(other) == outer(move.place);
         };
         if (is_unit_vector && std::ranges::any_of(unit_vectors, stands_beside)) continue;
+        if (is_fixed_entry(*kind, move)) continue;
         bool is_of_unit = false;
-        for (std::string_view place = outer(move.place); !place.empty(); place = outer(place))
+        const std::string part =
+            move.place + (move.change.ends_with(']') ? move.change.substr(move.change.find('[')) : "");
+        for (std::string_view place = outer(part); !place.empty(); place = outer(place))
             is_of_unit = is_of_unit || is_unit(*kind, place);
         if (!is_of_unit) all.push_back(move);
     }

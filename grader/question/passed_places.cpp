@@ -8,9 +8,9 @@ namespace umbral::grader {
 namespace {
 
 constexpr double least_on_their_side = 0.97;
-constexpr double most_strays = 0.05;
+constexpr double most_strays = 0.01;
+constexpr std::size_t least_alone = 6;
 constexpr std::size_t most_parting_places = 16;
-constexpr double most_strays_per_wrong = 1.0 / 3;
 
 /// Wrong ones on the side where they belong, and right ones there.
 struct Sides {
@@ -52,9 +52,10 @@ bool parts(const PartingPlace& place)
     const auto [wrong, strays] = sides_of(place);
     const auto all_wrong = static_cast<double>(place.wrong);
     const auto all_right = static_cast<double>(place.right);
-    if (wrong >= least_on_their_side * all_wrong && strays <= (1 - least_on_their_side) * all_right) return true;
-    return wrong == all_wrong && strays <= most_strays * all_right && strays <= most_strays_per_wrong * all_wrong;
+    return wrong >= least_on_their_side * all_wrong && strays <= most_strays * all_right;
 }
+
+bool are_few(const PartingPlace& place) { return std::min(place.wrong, place.right) < least_alone; }
 
 std::pair<double, double> strays_of(const PartingPlace& place)
 {

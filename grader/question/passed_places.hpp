@@ -34,9 +34,9 @@ struct PartingPlace {
 inline constexpr std::size_t least_parted_questions = 3;
 
 /// The places that part wrong from right ones best, and all alike, at most sixteen: first those that wrong ones come
-/// through, in the order in which they are reached. All but 3 % must lie on their side; where all wrong ones do, a
-/// twentieth of the right ones may lie there too, a third as many as there are wrong ones. Where an exception ended one
-/// of the wrong ones, no place that right ones alone come through is told: what stands behind a call that was left so
+/// through, in the order in which they are reached. All wrong ones but 3 % must lie on their side, and of right ones at
+/// most one in a hundred: more of them only say that it is where such questions go. Where an exception ended one of the
+/// wrong ones, no place that right ones alone come through is told: what stands behind a call that was left so
 /// is not reached, and its line is.
 [[nodiscard]] std::vector<PartingPlace> parting_places(const PassedPlaces& seen);
 
@@ -45,6 +45,9 @@ inline constexpr std::size_t least_parted_questions = 3;
 
 /// Does it part them so well?
 [[nodiscard]] bool parts(const PartingPlace& place);
+
+/// Are there so few that other inputs must say the same?
+[[nodiscard]] bool are_few(const PartingPlace& place);
 
 /// How well a place tells where a mistake is, least first: the share of wrong ones that are not on their side, for no
 /// mistake does harm where it is not run; then that of right ones on it, to which it need not make a difference.

@@ -94,17 +94,30 @@ requires(literal::detail::is_vector<Vector> &&
     }();
 };
 
-/// A turn more: what is rigid remains so.
+/// "moved [2][1]" of column 2, row 1, as GLM writes entries: live as long as the program.
+template <std::size_t Column, std::size_t Row>
+inline constexpr std::array<char, 12> entry_move{'m', 'o',          'v', 'e', 'd',       ' ',
+                                                 '[', '0' + Column, ']', '[', '0' + Row, ']'};
+
+/// Each entry by itself, and a turn more of the whole: what is rigid remains so.
 template <class Matrix>
 requires literal::detail::is_matrix<Matrix>
 struct MovesOf<Matrix> {
-    static constexpr std::array all{change<Matrix>("moved", [](Matrix& m) {
+    static constexpr std::size_t rows = Matrix::col_type::length();
+    static constexpr std::array turn{change<Matrix>("moved", [](Matrix& m) {
         const auto x = m[0];
         constexpr typename Matrix::value_type sine = 0.28F;
         constexpr typename Matrix::value_type cosine = 0.96F;
         m[0] = m[0] * cosine + m[1] * sine;
         m[1] = m[1] * cosine - x * sine;
     })};
+    static constexpr auto all = []<std::size_t... Index>(std::index_sequence<Index...>)
+    {
+        return joined(turn,
+                      std::array{change<Matrix>({entry_move<Index / rows, Index % rows>.data(), 12},
+                                                [](Matrix& m) { move_number(m[Index / rows][Index % rows]); })...});
+    }
+    (std::make_index_sequence<Matrix::length() * rows>{});
 };
 
 template <class List, std::size_t Index>
