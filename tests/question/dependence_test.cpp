@@ -1,0 +1,175 @@
+#include "question/dependence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "question/movable.hpp"
+
+namespace umbral::grader {
+namespace {
+
+/// Arguments of a function "f" of three numbers and a vector.
+struct Asked {
+    double left = 1;
+    double top = 2;
+    double size = 3;
+    double x = 4;
+    double y = 5;
+    double z = 6;
+};
+
+using Answer = std::function<std::vector<double>(const Asked&)>;
+
+/// Five questions, answered as they are and with each argument moved; all are said to be wrong.
+AnswersToMoves answers(const Answer& yours, const Answer& right)
+{
+    AnswersToMoves all;
+    const auto asked = [](int i) {
+        const double k = 1 + 0.3 * i;
+        return Asked{k, 2 * k + 1, 3 + k, 4 - k, 5 + k * k, 6 - k};
+    };
+    const auto ask = [&](const Answer& answer, const std::function<void(Asked&)>& move) {
+        std::vector<double> table;
+        for (int i = 0; i < 5; ++i) {
+            Asked one = asked(i);
+            move(one);
+            const std::vector<double> row = answer(one);
+            table.insert(table.end(), row.begin(), row.end());
+        }
+        return table;
+    };
+    const auto as_it_is = [](Asked&) {};
+    all.components = right({}).size();
+    all.yours = ask(yours, as_it_is);
+    all.right = ask(right, as_it_is);
+    all.wrong = {0, 1, 2, 3, 4};
+    const auto add = [&](const char* place, const char* change, const std::function<void(Asked&)>& move) {
+        all.moved.push_back({{"f", place, change, ""}, ask(yours, move), ask(right, move)});
+    };
+    constexpr double factor = 17.0 / 16;
+    add("0.left", "moved", [](Asked& a) { a.left *= factor; });
+    add("0.top", "moved", [](Asked& a) { a.top *= factor; });
+    add("1", "moved", [](Asked& a) { a.size *= factor; });
+    add("2", "moved .x", [](Asked& a) { a.x *= factor; });
+    add("2", "moved .y", [](Asked& a) { a.y *= factor; });
+    add("2", "moved .z", [](Asked& a) { a.z *= factor; });
+    add("2", "moved length", [](Asked& a) { a.x *= factor, a.y *= factor, a.z *= factor; });
+    return all;
+}
+
+double length(const Asked& a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
+
+const MovedPlace left{"f", "0.left"};
+const MovedPlace top{"f", "0.top"};
+const MovedPlace size{"f", "1"};
+const MovedPlace vector{"f", "2"};
+
+TEST(Dependence, one_number_is_taken_for_another)
+{
+    const auto found = dependences(answers(
+        [](const Asked& a) {
+            return std::vector{a.left, a.left * a.size};
+        },
+        [](const Asked& a) {
+            return std::vector{a.left, a.top * a.size};
+        }));
+    EXPECT_EQ(found, (std::vector<Dependence>{{{1}, {left}, {top}, 5}}));
+}
+
+TEST(Dependence, something_is_forgotten_in_all_numbers)
+{
+    const auto found = dependences(answers(
+        [](const Asked& a) {
+            return std::vector{a.left, a.top + 1};
+        },
+        [](const Asked& a) {
+            return std::vector{a.left * a.size, a.top + a.size};
+        }));
+    EXPECT_EQ(found, (std::vector<Dependence>{{{0, 1}, {}, {size}, 5}}));
+}
+
+TEST(Dependence, a_vector_stands_for_its_components)
+{
+    const auto found = dependences(answers([](const Asked& a) { return std::vector{a.left * a.x * a.y * a.z}; },
+                                           [](const Asked& a) { return std::vector{a.left + 1}; }));
+    EXPECT_EQ(found, (std::vector<Dependence>{{{0}, {vector}, {}, 5}}));
+}
+
+TEST(Dependence, a_vector_should_have_been_made_unit)
+{
+    const auto found = dependences(answers([](const Asked& a) { return std::vector{a.x * a.left}; },
+                                           [](const Asked& a) { return std::vector{a.x / length(a) * a.left}; }));
+    // Without the length, x alone is another question.
+    EXPECT_EQ(found, (std::vector<Dependence>{{{0}, {{"f", "2", true}}, {{"f", "2.y"}, {"f", "2.z"}}, 5}}));
+}
+
+TEST(Dependence, nothing_is_said_of_what_does_not_change_or_changes_with_all)
+{
+    const Answer right = [](const Asked& a) { return std::vector{a.left * a.top + a.size}; };
+    EXPECT_TRUE(dependences(answers([](const Asked&) { return std::vector{7.0}; }, right)).empty());
+    const Answer sum = [](const Asked& a) { return std::vector{a.left * a.top - a.size}; };
+    EXPECT_TRUE(dependences(answers(sum, right)).empty()) << "a wrong sign changes nothing";
+    EXPECT_TRUE(dependences(answers([](const Asked&) { return std::vector{std::nan("")}; }, right)).empty());
+}
+
+TEST(Dependence, rounding_is_no_change)
+{
+    const Answer right = [](const Asked& a) { return std::vector{a.left * 1000}; };
+    const auto found =
+        dependences(answers([](const Asked& a) { return std::vector{a.left * 1001 + 1e-7 * a.top * a.left}; }, right));
+    EXPECT_TRUE(found.empty());
+}
+
+TEST(Dependence, fewer_than_three_answers_say_nothing)
+{
+    AnswersToMoves few =
+        answers([](const Asked& a) { return std::vector{a.left}; }, [](const Asked& a) { return std::vector{a.top}; });
+    EXPECT_FALSE(dependences(few).empty());
+    few.wrong = {1, 3};
+    EXPECT_TRUE(dependences(few).empty());
+}
+
+std::vector<std::string> moved_of(const QuestionLog& log)
+{
+    std::vector<std::string> all;
+    for (const OtherQuestion& move : movable(log, "f")) all.push_back(move.place + ' ' + move.change);
+    return all;
+}
+
+TEST(Movable, what_has_length_one_keeps_it)
+{
+    QuestionLog log;
+    log.kinds = {{"f", {"0.x", "0.y", "1.x", "1.y"}, {{}, {}, {}, {}}, {{0, {0.6, 0.8, 1, 2}}, {1, {0, 1, 0.6, 0.8}}}}};
+    for (const char* place : {"0", "1"})
+        for (const char* change : {"moved .x", "moved length", "moved direction"})
+            log.moves.push_back({"f", place, change, ""});
+    log.moves.push_back({"g", "0", "moved", ""});
+    EXPECT_EQ(moved_of(log), (std::vector<std::string>{"0 moved direction", "1 moved .x", "1 moved length"}));
+}
+
+TEST(Movable, the_parts_of_a_frame_or_a_quaternion_are_left_alone)
+{
+    QuestionLog log;
+    log.kinds = {{"f",
+                  {"0.a.x", "0.a.y", "0.b.x", "0.b.y", "1.w", "1.v.x", "1.v.y", "2"},
+                  {{}, {}, {}, {}, {}, {}, {}, {}},
+                  {{0, {1, 0, 0, 1, 0.6, 0.8, 0, 5}}, {1, {0, 1, -1, 0, 0, 0.6, 0.8, 6}}}}};
+    for (const char* place : {"0.a", "0.b"}) log.moves.push_back({"f", place, "moved direction", ""});
+    log.moves.push_back({"f", "1.w", "moved", ""});
+    log.moves.push_back({"f", "1.v", "moved .x", ""});
+    log.moves.push_back({"f", "2", "moved", ""});
+    EXPECT_EQ(moved_of(log), (std::vector<std::string>{"2 moved"}));
+}
+
+TEST(Movable, entries_that_make_a_matrix_what_it_is_are_left_alone)
+{
+    QuestionLog log;
+    log.kinds = {{"f", {"0[0][0]", "0[0][1]"}, {{}, {}}, {{0, {2, 0}}, {1, {3, 0}}}}};
+    for (const char* change : {"moved [0][0]", "moved [0][1]"}) log.moves.push_back({"f", "0", change, ""});
+    EXPECT_EQ(moved_of(log), (std::vector<std::string>{"0 moved [0][0]"}));
+}
+
+}
+}
