@@ -1,0 +1,76 @@
+#include "spoilt_reference.hpp"
+
+// What wrong answers change with and should not, or the reverse.
+namespace umbral::grader::test {
+namespace {
+
+std::string depends(const UnitResult& result)
+{
+    const auto told = std::ranges::find_if(result.checks, [](const CheckResult& one) { return !one.depends.empty(); });
+    return told == result.checks.end() ? "" : told->depends;
+}
+
+GradeOptions with_questions()
+{
+    GradeOptions options;
+    options.questions = true;
+    return options;
+}
+
+class DependenceOfMatrices : public SpoiltReference {
+protected:
+    DependenceOfMatrices() : SpoiltReference("projections/orthographic") {}
+};
+
+TEST_F(DependenceOfMatrices, names_the_side_that_an_entry_should_not_change_with)
+{
+    const UnitResult result = grade("matrix[3][axis] = static_cast<float>(along.offset);",
+                                    "matrix[3][axis] = static_cast<float>(along.offset);\n"
+                                    "        if (axis == 1) matrix[3][1] *= sides[1].to - sides[1].from, "
+                                    "matrix[3][1] /= sides[0].to - sides[0].from;",
+                                    with_questions());
+    EXPECT_TRUE(
+        depends(result).starts_with("in entry (row 1, column 3) your answers change with box.left and "
+                                    "box.right, and the right ones do not ("))
+        << depends(result);
+}
+
+TEST_F(DependenceOfMatrices, says_nothing_of_a_wrong_sign)
+{
+    const UnitResult result = grade("matrix[3][axis] = static_cast<float>(along.offset);",
+                                    "matrix[3][axis] = static_cast<float>(-along.offset);", with_questions());
+    EXPECT_LT(result.score, result.max_score);
+    EXPECT_EQ(depends(result), "");
+}
+
+class DependenceOfProducts : public SpoiltReference {
+protected:
+    DependenceOfProducts() : SpoiltReference("transforms/gram-matrix") {}
+};
+
+TEST_F(DependenceOfProducts, names_what_is_not_used)
+{
+    const UnitResult result = grade("return static_cast<float>(dot(glm::dvec3(a), glm::dmat3(gram) * glm::dvec3(b)));",
+                                    "glm::dmat3 upper(gram);\n    upper[0][1] = upper[0][2] = 0;\n"
+                                    "    return static_cast<float>(dot(glm::dvec3(a), upper * glm::dvec3(b)));",
+                                    with_questions());
+    EXPECT_TRUE(depends(result).starts_with("your answers do not change with gram[0][1]")) << depends(result);
+}
+
+// It would be a process of the student's that asks: a crash or an endless loop with other arguments tells nothing, and
+// harms nothing.
+TEST_F(DependenceOfProducts, survives_what_the_code_does_with_other_arguments)
+{
+    for (const char* const harm : {"__builtin_trap();", "for (;;) { static volatile int n; ++n; }", "throw 7;"}) {
+        const UnitResult result =
+            grade("return static_cast<float>(dot(glm::dvec3(a), glm::dmat3(gram) * glm::dvec3(b)));",
+                  "if (gram[0][0] == 17.0F / 16) { " + std::string(harm) +
+                      " }\n    return static_cast<float>(dot(glm::dvec3(b), glm::dvec3(a)));",
+                  with_questions());
+        EXPECT_EQ(result.verdict, Verdict::partial) << harm;
+        EXPECT_LT(result.score, result.max_score) << harm;
+    }
+}
+
+}
+}
