@@ -61,6 +61,24 @@ TEST(Events, what_came_too_early_too_late_or_too_often_is_said_so)
     EXPECT_EQ(order({0, 1, 2, 1, 3, 4}), "row 3: pan (3, 0) came too often");
 }
 
+// "nothing" is said of what is expected nowhere, or came nowhere.
+TEST(Events, what_is_known_to_the_other_side_is_said_to_be)
+{
+    const auto texts = [&](std::initializer_list<int> places) {
+        std::vector<float> yours;
+        for (const int place : places) yours.insert(yours.end(), &session[3 * place], &session[3 * place] + 3);
+        const Difference first = *judged(yours, session).first_difference;
+        return first.yours + " / " + first.expected;
+    };
+    EXPECT_EQ(texts({0, 1, 2, 1, 3, 4}), "pan (3, 0), twice / the same, once");
+    EXPECT_EQ(texts({3, 0, 1, 2, 4}), "zoom in (1.1) / the same in row 3");
+    EXPECT_EQ(texts({0, 2, 3, 4, 1}), "the same in row 4 / pan (3, 0)");
+    EXPECT_EQ(texts({0, 1, 2, 3}), "the same, once / press, twice");
+    std::vector<float> other = session;
+    other.insert(other.end(), {2, 9, 9});
+    EXPECT_EQ(judged(other, session).first_difference->expected, "nothing");
+}
+
 TEST(Events, numbers_are_shown_with_their_names)
 {
     const Tensor named = text("3 zoom: centre/2\n2 pan: from, -\n1 press: a, b, c\n");

@@ -38,13 +38,6 @@ bool same_event(const Tolerance& tolerance, std::span<const double> a, std::span
     return true;
 }
 
-std::size_t significant(std::span<const double> event)
-{
-    std::size_t size = event.size();
-    while (size > 1 && event[size - 1] == 0) --size;
-    return size;
-}
-
 /// The first place where the sequences part: positions, and how many of each side stand there unmatched.
 struct Gap {
     std::size_t yours = 0;
@@ -82,6 +75,46 @@ std::optional<std::size_t> later(const Parting& parting, std::span<const double>
     for (std::size_t i = from; i < side.cells(); ++i)
         if (!matched(i) && same_event(parting.tolerance, side.cell(i), event)) return i;
     return std::nullopt;
+}
+
+/// How often an event is one of a table's.
+std::size_t times_in(const TensorView& view, std::span<const double> event, const Tolerance& tolerance)
+{
+    std::size_t times = 0;
+    for (std::size_t i = 0; i < view.cells(); ++i)
+        if (same_event(tolerance, view.cell(i), event)) ++times;
+    return times;
+}
+
+std::string times_in_words(std::size_t times)
+{
+    return times == 1 ? "once" : times == 2 ? "twice" : fmt::format("{} times", times);
+}
+
+/// Where an event stands on one side only, and is known to the other: how often there and here, or in which row there.
+/// "nothing" beside it would say that there is none.
+void tell_where_else(const Parting& parting, std::string& came, std::string& wanted)
+{
+    const auto& [tolerance, yours, expected, alignment, gap] = parting;
+    if ((gap.surplus > 0) == (gap.lost > 0)) return;
+    const bool is_mine = gap.surplus > 0;
+    const auto event = is_mine ? yours.cell(gap.yours) : expected.cell(gap.expected);
+    const std::size_t mine = times_in(yours, event, tolerance);
+    const std::size_t theirs = times_in(expected, event, tolerance);
+    if (mine == 0 || theirs == 0) return;
+    std::string& there = is_mine ? wanted : came;
+    std::string& here = is_mine ? came : wanted;
+    const TensorView& other = is_mine ? expected : yours;
+    if (mine != theirs) {
+        here += ", " + times_in_words(is_mine ? mine : theirs);
+        there = "the same, " + times_in_words(is_mine ? theirs : mine);
+        return;
+    }
+    for (std::size_t i = 0; i < other.cells(); ++i)
+        if (same_event(tolerance, other.cell(i), event)) {
+            there = fmt::format("the same in row {}", i);
+            return;
+        }
 }
 
 /// What came where another event is expected.
@@ -123,122 +156,13 @@ std::string in_words(const Parting& parting, const std::string& came, const std:
     if (const auto place = later(parting, expected.cell(gap.expected), yours, gap.yours, yours_matched))
         return fmt::format("{}; it came too late, in row {} of yours", instead, *place);
     if (gap.surplus > 0) return instead;
-    const auto times_in = [&](const TensorView& view) {
-        std::size_t times = 0;
-        for (std::size_t i = 0; i < view.cells(); ++i)
-            if (same_event(tolerance, view.cell(i), expected.cell(gap.expected))) ++times;
-        return times;
-    };
-    const std::size_t found = times_in(yours);
-    const std::size_t sought = times_in(expected);
+    const std::size_t found = times_in(yours, expected.cell(gap.expected), tolerance);
+    const std::size_t sought = times_in(expected, expected.cell(gap.expected), tolerance);
     return found == 0 || found >= sought
                ? instead
                : fmt::format("expected {}: {} of them in all, {} came", wanted, sought, found);
 }
 
-}
-
-std::map<double, std::string> event_names(std::string_view lines)
-{
-    std::map<double, std::string> names;
-    while (!lines.empty()) {
-        const std::string_view line = lines.substr(0, lines.find('\n'));
-        lines.remove_prefix(std::min(line.size() + 1, lines.size()));
-        double code = 0;
-        const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), code);
-        const auto used = static_cast<std::size_t>(end - line.data());
-        if (error == std::errc() && used + 1 < line.size() && line[used] == ' ') names[code] = line.substr(used + 1);
-    }
-    return names;
-}
-
-std::map<double, NamedRows> event_kinds(std::string_view lines, std::size_t components)
-{
-    std::map<double, NamedRows> kinds;
-    for (const auto& [code, name] : event_names(lines)) {
-        const std::size_t colon = std::min(name.find(": "), name.size());
-        NamedRows& kind = kinds[code] = {name.substr(0, colon)};
-        if (colon == name.size() || components == 0) continue;
-        kind.columns = column_names(std::string_view(name).substr(colon + 2), components - 1, "");
-        kind.columns.insert(kind.columns.begin(), "the kind of event");
-        if (kind.columns.size() != components) kind.columns.clear();
-    }
-    return kinds;
-}
-
-std::vector<std::string> event_columns(std::string_view names, std::size_t components)
-{
-    std::vector<std::string> all;
-    for (const auto& [code, kind] : event_kinds(names, components)) {
-        if (kind.columns.empty()) continue;
-        if (!all.empty() && kind.columns != all) return {};
-        all = kind.columns;
-    }
-    return all;
-}
-
-EventWriter::EventWriter(const TensorView& expected, std::string_view names)
-{
-    for (auto& [code, name] : event_names(names)) {
-        const std::size_t colon = name.find(": ");
-        Kind& kind = kinds_[code] = {name, {}};
-        if (colon == std::string::npos || expected.components() == 0) continue;
-        kind.columns = column_groups(std::string_view(name).substr(colon + 2), expected.components() - 1);
-        if (!kind.columns.empty()) kind.name.resize(colon);
-    }
-    for (std::size_t i = 0; i < expected.cells(); ++i)
-        used_[expected.cell(i)[0]] = std::max(used_[expected.cell(i)[0]], significant(expected.cell(i)));
-}
-
-std::vector<std::string> EventWriter::parts(std::span<const double> event, int digits) const
-{
-    std::vector<std::string> all;
-    const auto kind = kinds_.find(event[0]);
-    if (kind != kinds_.end() && !kind->second.columns.empty()) {
-        for (const ColumnGroup& group : kind->second.columns) {
-            std::string& text = all.emplace_back(group.name);
-            for (std::size_t i = 0; i < group.size; ++i) text += " " + number_text(event[1 + group.first + i], digits);
-        }
-        return all;
-    }
-    const auto used = used_.find(event[0]);
-    const std::size_t size = std::max(significant(event), used == used_.end() ? 1 : used->second);
-    for (std::size_t i = 1; i < size; ++i) all.push_back(number_text(event[i], digits));
-    return all;
-}
-
-std::string EventWriter::with_parts(std::span<const double> event, const std::vector<std::string>& parts) const
-{
-    const auto kind = kinds_.find(event[0]);
-    const std::string name =
-        kind != kinds_.end() ? kind->second.name : fmt::format("event of code {}", number_text(event[0]));
-    return parts.empty() ? name : fmt::format("{} ({})", name, fmt::join(parts, ", "));
-}
-
-std::string EventWriter::operator()(std::span<const double> event, int digits) const
-{
-    if (!std::isfinite(event[0])) return "an event whose code is no number";
-    return with_parts(event, parts(event, digits));
-}
-
-std::pair<std::string, std::string> EventWriter::beside(std::span<const double> one, std::span<const double> other,
-                                                        int digits) const
-{
-    constexpr std::size_t few = 4;
-    const auto kind = kinds_.find(one[0]);
-    const bool has_names = kind != kinds_.end() && kind->second.columns.size() > few;
-    if (!has_names || one[0] != other[0]) return {(*this)(one, digits), (*this)(other, digits)};
-    const std::vector<std::string> mine = parts(one, digits);
-    const std::vector<std::string> its = parts(other, digits);
-    std::vector<std::string> shown_mine;
-    std::vector<std::string> shown_its;
-    for (std::size_t i = 0; i < mine.size(); ++i) {
-        const bool is_left_out = i > 0 && mine[i] == its[i];
-        if (is_left_out && shown_mine.back() == "…") continue;
-        shown_mine.push_back(is_left_out ? "…" : mine[i]);
-        shown_its.push_back(is_left_out ? "…" : its[i]);
-    }
-    return {with_parts(one, shown_mine), with_parts(other, shown_its)};
 }
 
 Alignment align_events(const Check& check, const TensorView& a, const TensorView& b)
@@ -273,12 +197,16 @@ Judgement judge_events(const Check& check, const Tensor& student, const Tensor& 
     if (!gap) return judgement;
 
     const EventWriter write(expected, text_of(names));
-    const auto [came, wanted] = telling_apart([&](int digits) {
+    auto [came, wanted] = telling_apart([&](int digits) {
         if (gap->surplus > 0 && gap->lost > 0)
             return write.beside(yours.cell(gap->yours), expected.cell(gap->expected), digits);
         return std::pair(gap->surplus > 0 ? write(yours.cell(gap->yours), digits) : "nothing",
                          gap->lost > 0 ? write(expected.cell(gap->expected), digits) : "nothing");
     });
+    const Parting parting{check.tolerance, yours, expected, alignment, *gap};
+    const std::string words = in_words(parting, came, wanted);
+    const bool is_instead = words == one_for_another(came, wanted);
+    tell_where_else(parting, came, wanted);
     // What is only too much stands between two rows, and neither of their questions need have led to it.
     judgement.first_difference = Difference{fmt::format("row {} of {} events", gap->expected, expected.cells()), came,
                                             wanted, gap->lost > 0 ? std::optional(gap->expected) : std::nullopt};
@@ -286,9 +214,8 @@ Judgement judge_events(const Check& check, const Tensor& student, const Tensor& 
     if (surplus > 0)
         counts += fmt::format("; {}{} that came {} not expected", alignment.best ? "" : "about ", surplus,
                               surplus == 1 ? "is" : "are");
-    const std::string words = in_words({check.tolerance, yours, expected, alignment, *gap}, came, wanted);
     judgement.message = fmt::format("row {}: {} ({})", gap->expected, words, counts);
-    if (words == one_for_another(came, wanted)) judgement.headline = counts;
+    if (is_instead) judgement.headline = counts;
     return judgement;
 }
 
