@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <set>
 #include <umbral/core/random.hpp>
 
 #include "explain/common_condition.hpp"
 #include "explain/other_questions.hpp"
+#include "explain/wrong_dependence.hpp"
 #include "model/digest.hpp"
 #include "model/scratch.hpp"
 #include "mutants/build_mutants.hpp"
@@ -64,9 +66,12 @@ public:
         for (const CheckResult& check : result.checks)
             if (check.code_place) bug.said.push_back(tried_place(check, line));
         if (!main_reasons(result).empty()) bug.said.push_back(tried_reason(result));
-        for (std::size_t i = 0; i < result.checks.size(); ++i)
+        for (std::size_t i = 0; i < result.checks.size(); ++i) {
+            if (!result.checks[i].depends.empty())
+                bug.said.push_back(tried_dependence(exercise_.checks[i], result.checks[i].depends));
             if (!result.checks[i].common.empty() || !result.checks[i].practice.empty())
                 try_common(exercise_.checks[i], bug);
+        }
         return bug;
     }
 
@@ -108,6 +113,29 @@ private:
         one.seed = options_for(inputs).seeds.seed_of(exercise_, check.case_name);
         one.student = worker_.run(exercise_, built_, check.case_name, one.seed);
         return one;
+    }
+
+    /// Do wrong answers to other inputs depend on the same?
+    ToldSentence tried_dependence(const Check& check, const std::string& depends)
+    {
+        const auto without_counts = [](const std::string& text) {
+            static const std::regex counts(" \\([0-9]+ wrong ones\\)");
+            return std::regex_replace(text, counts, "");
+        };
+        ToldSentence sentence{ToldSentence::Kind::dependence, check.name, without_counts(depends)};
+        for (const unsigned inputs : other_inputs) {
+            const CaseResult one = run(check, inputs);
+            CaseRuns runs(worker_, exercise_, built_, check.case_name, one);
+            const AskedCheck asked{exercise_, check, runs, one, worker_.questions(exercise_, check.case_name, one.seed),
+                                   headers_};
+            SpareTime time;
+            time.allow(exercise_.limits.wall_seconds);
+            const std::string again = without_counts(wrong_dependence(worker_, asked, time));
+            if (again.empty()) continue;
+            if (again != sentence.words) sentence.truth = Truth::fails;
+            if (again == sentence.words && sentence.truth == Truth::untried) sentence.truth = Truth::holds;
+        }
+        return sentence;
     }
 
     /// What is said of a check's wrong answers.

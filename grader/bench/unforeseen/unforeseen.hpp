@@ -18,10 +18,11 @@ struct ToldSentence {
         untried,  ///< there were none: with other inputs the bug does not show
     };
     enum class Kind : std::uint8_t {
-        reason,     ///< "your results are the right ones for twice the angle", or the hint of a known mistake
-        condition,  ///< "wrong wherever ray.t_min is positive"
-        answer,     ///< "every wrong answer is always 0"
-        place       ///< "sphere.cpp:17": holds if that is the changed line or one of two beside it
+        reason,      ///< "your results are the right ones for twice the angle", or the hint of a known mistake
+        condition,   ///< "wrong wherever ray.t_min is positive"
+        answer,      ///< "every wrong answer is always 0"
+        dependence,  ///< "your answers change with box.left, and the right ones do not"
+        place        ///< "sphere.cpp:17": holds if that is the changed line or one of two beside it
     };
     Kind kind = Kind::reason;
     std::string check{};  ///< of what is said of one check
