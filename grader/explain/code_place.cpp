@@ -136,6 +136,19 @@ private:
     std::string function_;
 };
 
+/// Is it told which of the numbers in a question part wrong answers from right ones? Then a line of the branch that
+/// such questions take says no more, and is often as right as any.
+bool is_parted_by_question(const CheckResult& result)
+{
+    constexpr std::string_view wherever = "wrong wherever ";
+    const std::string& words = result.hidden ? result.practice : result.common;
+    const std::size_t begin = words.find(wherever);
+    if (begin == std::string::npos) return false;
+    const std::size_t first = begin + wherever.size();
+    const std::string condition = words.substr(first, words.find(" (", first) - first);
+    return !condition.starts_with(right_answer) || condition.find(" and ") != std::string::npos;
+}
+
 std::string sentence_of(const PartingPlace& place)
 {
     const auto all_of = [](std::size_t some, std::size_t all, const char* which) {
@@ -202,6 +215,7 @@ void add_code_place(Worker& worker, const Exercise& exercise, const Built& built
     const std::string no_headers;
     for (const std::size_t i : checks) {
         if (!traced_runs.has_time()) return;
+        if (is_parted_by_question(result.checks[i])) continue;
         const Check& check = exercise.checks[i];
         const CaseResult& one = cases.at(check.case_name);
         CaseRuns runs(worker, exercise, built, check.case_name, one);

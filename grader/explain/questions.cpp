@@ -50,6 +50,12 @@ struct Shown {
     std::string* code;
 };
 
+/// A row with a wrong answer, and what was asked there.
+struct WrongRow {
+    std::uint32_t question;
+    std::size_t row;
+};
+
 class CaseQuestions {
 public:
     CaseQuestions(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases,
@@ -79,7 +85,7 @@ public:
         };
         if (result.first_difference && is_of_several(check, expected->cells(), *result.first_difference))
             result.first_difference->cell.reset();
-        bool alone = false;
+        std::optional<WrongRow> wrong;
         if (result.first_difference && result.first_difference->cell) {
             const std::size_t cell = *result.first_difference->cell;
             show(cell, result.first_difference->question);
@@ -88,14 +94,15 @@ public:
                 result.first_difference->where += fmt::format(", number {} of {} from this call", place + 1, rows);
             // No debugger can stop at several.
             if (asked.count > 1) result.first_difference->cell.reset();
-            alone = !check.hidden && !result.beside && asked.count == 1 && may_repeat(worker_, exercise_, one_) &&
-                    is_right_alone(worker_, exercise_, built_, check, one_, asked.first, cell);
+            // Where rows are free, the first that lacks need not be of a question with a wrong answer.
+            if (asked.count == 1 && !judge_of(check).free_rows) wrong = {asked.first, cell};
         }
         for (RowPair* row : rows_in(detail, check.name)) show(row->cell, row->question);
         if (result.beside || !may_repeat(worker_, exercise_, one_)) return;
         AskedCheck asked{exercise_, check, runs_, one_, log_, headers};
         asked.others = [&](const auto& look) { look_elsewhere(check, headers, look); };
         if (auto group = first_wrong_group(worker_, asked, one_.seed)) {
+            if (group->first && group->first->cell) wrong = {group->question, *group->first->cell};
             const std::size_t counts = result.message.rfind(" (");
             if (!group->words.empty() && judge_of(check).free_rows && counts != std::string::npos)
                 result.message = group->words + result.message.substr(counts);
@@ -108,6 +115,8 @@ public:
                 result.practice_example = std::move(example->first);
                 result.practice_seed = example->seed;
             }
+        const bool alone = wrong && !check.hidden &&
+                           is_right_alone(worker_, exercise_, built_, check, one_, wrong->question, wrong->row);
         // What wrong answers share says nothing of the cause then.
         AnswerPattern shared =
             alone ? AnswerPattern{right_alone_of(exercise_)} : sentence_of(find_in_common(worker_, asked, patterns));

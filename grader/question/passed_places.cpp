@@ -10,6 +10,7 @@ namespace {
 constexpr double least_on_their_side = 0.97;
 constexpr double most_strays = 0.01;
 constexpr std::size_t least_alone = 6;
+constexpr std::size_t least_beside = 6;  ///< right ones
 constexpr std::size_t most_parting_places = 16;
 
 /// Wrong ones on the side where they belong, and right ones there.
@@ -67,7 +68,7 @@ std::pair<double, double> strays_of(const PartingPlace& place)
 std::vector<PartingPlace> parting_places(const PassedPlaces& seen)
 {
     const auto wrong = static_cast<std::size_t>(std::ranges::count(seen.wrong, true));
-    if (wrong < least_parted_questions || seen.wrong.size() - wrong < least_parted_questions) return {};
+    if (wrong < least_parted_questions || seen.wrong.size() - wrong < least_beside) return {};
     std::map<std::uint32_t, PartingPlace> all;
     for (std::size_t i = 0; i < seen.wrong.size(); ++i)
         for (const std::uint32_t place : seen.places[i]) {

@@ -30,8 +30,9 @@ struct PartingPlace {
     std::size_t right_through = 0;
 };
 
-/// So many questions of either kind there must be: fewer are parted by chance.
-inline constexpr std::size_t least_parted_questions = 3;
+/// So many questions with wrong answers there must be, and half as many again with right ones: fewer are parted by
+/// chance.
+inline constexpr std::size_t least_parted_questions = 4;
 
 /// The places that part wrong from right ones best, and all alike, at most sixteen: first those that wrong ones come
 /// through, in the order in which they are reached. All wrong ones but 3 % must lie on their side, and of right ones at
