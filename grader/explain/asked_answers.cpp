@@ -129,6 +129,10 @@ WrongGroup wrong_group(const Check& check, std::uint32_t question, const RowsOfQ
     const std::size_t counts = judgement.message.rfind(" (");
     if (begin != std::string::npos && counts != std::string::npos && begin < counts)
         group.words = where + judgement.message.substr(begin, counts - begin);
+    // Of the rows of one call it is known.
+    constexpr std::string_view nowhere = "is expected nowhere";
+    if (const std::size_t place = group.words.find(nowhere); place != std::string::npos)
+        group.words.replace(place, nowhere.size(), "is not expected of this call");
     return group;
 }
 

@@ -42,6 +42,16 @@ int cost_of(const Fact& fact)
     return 2;
 }
 
+/// Are there several different odd numbers, and even ones? That one of few numbers is odd says nothing of oddness.
+bool are_of_either_parity(const std::vector<double>& numbers)
+{
+    constexpr std::size_t least_different = 3;
+    std::set<double> odd;
+    std::set<double> even;
+    for (const double x : numbers) (std::fmod(std::abs(x), 2) == 1 ? odd : even).insert(x);
+    return std::min(odd.size(), even.size()) >= least_different;
+}
+
 /// Of a number that stands for a word: "rule is even_odd", "closed is true".
 void add_named(const std::vector<Fact>& facts, std::size_t i, std::vector<PossibleCondition>& all)
 {
@@ -114,6 +124,7 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
         add(" is no whole number", [](double x) { return !is_integer(x); });
         return;
     }
+    if (!are_of_either_parity(fact.values)) return;
     all.push_back(of_one(words + " is odd", i, cost + 2, [](double x) { return std::fmod(std::abs(x), 2) == 1; }));
     all.push_back(of_one(words + " is even", i, cost + 2, [](double x) { return std::fmod(std::abs(x), 2) == 0; }));
 }

@@ -11,6 +11,7 @@ namespace umbral::grader {
 {
     if (check.score >= check.max_score) return "right";
     if (check.unjudged != Unjudged::no) return in_words(check.unjudged);
+    if (check.held_back) return "right by itself";
     return check.score > 0 ? "partly right" : "wrong";
 }
 

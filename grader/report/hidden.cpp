@@ -40,6 +40,7 @@ SubmissionResult without_hidden_values(SubmissionResult submission)
                          .code_place = std::move(check.code_place),
                          .practice = std::move(check.practice),
                          .practice_example = std::move(check.practice_example),
+                         .held_back = check.held_back,
                          .simplest = {},
                          .sketch = {},
                          .artefacts = of_practice(std::move(check.artefacts)),

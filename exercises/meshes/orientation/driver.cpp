@@ -62,6 +62,7 @@ void record_separated(Recorder& out, const IndexedMesh& mesh)
 {
     const IndexedMesh result = ask<separated>(out, mesh);
     std::map<std::uint32_t, float> numbers;
+    out.columns("sizes", "vertices, triangles");
     out.append("sizes",
                glm::vec2(static_cast<float>(result.positions.size()), static_cast<float>(result.triangles.size())));
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

@@ -135,8 +135,8 @@ std::string describe_flip(const Check& check, const Tensor& student, const Tenso
     const auto best = best_flip(check, student, expected);
     if (!best) return {};
     return fmt::format(
-        "The {} axis of your matrix ({} {}) points the other way: check the handedness; here the world is right-handed "
-        "and the camera looks along -z.",
+        "The {} axis of your matrix ({} {}) points the other way: check its sign, and whether the frame is "
+        "right-handed.",
         "xyz"[best->axis], best -> row ? "row" : "column", best->axis);
 }
 
