@@ -15,6 +15,7 @@
 #include "explain/other_questions.hpp"
 #include "explain/practice_example.hpp"
 #include "explain/question_code.hpp"
+#include "explain/rows_alone.hpp"
 #include "explain/simplest_question.hpp"
 #include "explain/wrong_dependence.hpp"
 #include "judge/judges.hpp"
@@ -120,6 +121,7 @@ public:
         // What wrong answers share says nothing of the cause then.
         AnswerPattern shared =
             alone ? AnswerPattern{right_alone_of(exercise_)} : sentence_of(find_in_common(worker_, asked, patterns));
+        if (shared.words.empty()) shared.words = rows_alone(worker_, asked, patterns);
         (one_.hidden ? result.practice : result.common) = std::move(shared.words);
         if (!one_.hidden) result.common_tells = shared.tells;
         if (!alone) result.depends = wrong_dependence(worker_, asked, dependence);

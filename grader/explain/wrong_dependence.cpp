@@ -21,17 +21,17 @@
 namespace umbral::grader {
 namespace {
 
-constexpr std::size_t most_moves = 64;
-constexpr std::size_t most_cells = 20'000;  ///< of a table
-constexpr std::size_t most_tensors = 240;   ///< in one run
-constexpr double most_seconds_of_runs = 1;  ///< of the reference's
-constexpr std::size_t fresh_place = 11;     ///< of practice inputs, behind those that conditions are confirmed on
-constexpr std::size_t enough_wrong = 8;     ///< answers; of fewer, other cases are asked too
-constexpr std::size_t most_told = 2;        ///< kinds of dependence
-constexpr std::size_t most_named = 3;       ///< numbers of an answer
+constexpr std::size_t most_moved = 64;
+constexpr std::size_t most_moved_cells = 20'000;  ///< of a table
+constexpr std::size_t tensors_of_a_run = 240;     ///< in one run
+constexpr double most_seconds_of_runs = 1;        ///< of the reference's
+constexpr std::size_t fresh_place = 11;           ///< of practice inputs, behind those that conditions are confirmed on
+constexpr std::size_t enough_moved = 8;           ///< answers; of fewer, other cases are asked too
+constexpr std::size_t most_told = 2;              ///< kinds of dependence
+constexpr std::size_t most_named = 3;             ///< numbers of an answer
 
 /// The function that most wrong answers were asked of.
-std::string function_of(const AskedAnswers& answers, const QuestionLog& log)
+std::string function_asked_most(const AskedAnswers& answers, const QuestionLog& log)
 {
     std::map<std::string, std::size_t> count;
     for (const AskedAnswer& one : answers.all)
@@ -115,21 +115,21 @@ void add_answers(Worker& worker, const AskedCheck& asked, std::uint64_t seed, st
     const Check& check = asked.check;
     AskedAnswers answers = asked_answers(worker, asked, seed);
     const QuestionLog& log = worker.questions(asked.exercise, check.case_name, seed);
-    if (function.empty()) function = function_of(answers, log);
+    if (function.empty()) function = function_asked_most(answers, log);
     const RunOutcome& expected = worker.trusted(asked.exercise, judged_against(check), check.case_name, seed);
     const Tensor* const right = tensor_of(expected, check.value);
     const Tensor* const yours = observed(check, asked.runs.plain(seed));
     if (function.empty() || answers.picture || (!all.moved.empty() && answers.components != all.components) ||
         right == nullptr || !well_formed(*right) || !has_single_rows(check, yours, right) ||
-        right->cells() * right->components > most_cells)
+        right->cells() * right->components > most_moved_cells)
         return;
     std::vector<OtherQuestion> moves = moves_of(log, function);
-    moves.resize(std::min(moves.size(), most_moves));
+    moves.resize(std::min(moves.size(), most_moved));
     if (expected.cpu_seconds * static_cast<double>(moves.size()) > most_seconds_of_runs) return;
     std::vector<MovedAnswers> moved;
     for (OtherQuestion& move : moves) moved.push_back({std::move(move)});
     const std::size_t at_a_time = std::clamp<std::size_t>(
-        most_tensors / std::max<std::size_t>(1, expected.recording.tensors.size()), 1, most_moves);
+        tensors_of_a_run / std::max<std::size_t>(1, expected.recording.tensors.size()), 1, most_moved);
     const MovedCase one{worker, asked, seed, *right, time};
     for (std::size_t i = 0; i < moved.size(); i += at_a_time)
         ask_moved(one, std::span(moved).subspan(i, std::min(at_a_time, moved.size() - i)));
@@ -227,8 +227,8 @@ std::string wrong_dependence(Worker& worker, const AskedCheck& asked, SpareTime&
     if (all.moved.empty()) return "";
     if (asked.others)
         asked.others([&](const AskedCheck& other) {
-            if (all.wrong.size() < enough_wrong) add(other, input_seed(other, 0));
-            return all.wrong.size() < enough_wrong && time.is_left();
+            if (all.wrong.size() < enough_moved) add(other, input_seed(other, 0));
+            return all.wrong.size() < enough_moved && time.is_left();
         });
     std::vector<Dependence> found = dependences(all);
     std::erase_if(found, [&](const Dependence& one) { return !can_be_named(one, named); });

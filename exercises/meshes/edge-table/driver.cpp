@@ -24,7 +24,7 @@ public:
     template <auto table>
     void add(const std::string& mesh_name, const IndexedMesh& mesh)
     {
-        names_ += std::to_string(++count_) + " " + mesh_name + ": edge\n";
+        names_ += std::to_string(++count_) + " " + mesh_name + ": edge from, to\n";
         for (const glm::uvec2& edge : canonical(ask<table>(*out_, mesh), mesh))
             out_->append(
                 name_, std::array{static_cast<float>(count_), static_cast<float>(edge.x), static_cast<float>(edge.y)});
