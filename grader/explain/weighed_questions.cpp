@@ -77,17 +77,6 @@ void weigh(const CaseChecks& group, const QuestionLog& log, const RunOutcome& ru
     }
 }
 
-/// How many other questions one run of this case can be asked: what it can hold, and within a fifth of its time, which
-/// a busy machine stretches.
-std::size_t room(const RunOutcome& plain, const Limits& limits)
-{
-    std::size_t bytes = 1;
-    for (const auto& [name, tensor] : plain.recording.tensors) bytes += tensor.bytes.size() + tensor.present.size();
-    const std::size_t tensors = std::max<std::size_t>(1, plain.recording.tensors.size());
-    const auto in_time = static_cast<std::size_t>(0.2 * limits.wall_seconds / std::max(plain.cpu_seconds, 1e-3));
-    return std::clamp<std::size_t>(std::min({most_tensors / tensors, most_tensor_bytes / bytes, in_time}), 1, 64);
-}
-
 }
 
 bool may_concern(const QuestionLog& log, const FailingCheck& one, std::span<const std::string> functions)
@@ -102,13 +91,24 @@ bool may_concern(const QuestionLog& log, const FailingCheck& one, std::span<cons
     });
 }
 
+std::size_t questions_of_a_run(const Exercise& exercise, const RunOutcome& plain)
+{
+    // What one draw leaves in OpenGL's state must not reach the next.
+    if (exercise.gl && leaves_picture(plain)) return 1;
+    std::size_t bytes = 1;
+    for (const auto& [name, tensor] : plain.recording.tensors) bytes += tensor.bytes.size() + tensor.present.size();
+    const std::size_t tensors = std::max<std::size_t>(1, plain.recording.tensors.size());
+    const auto in_time =
+        static_cast<std::size_t>(0.2 * exercise.limits.wall_seconds / std::max(plain.cpu_seconds, 1e-3));
+    return std::clamp<std::size_t>(std::min({most_tensors / tensors, most_tensor_bytes / bytes, in_time}), 1, 64);
+}
+
 void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group, std::span<WeighedQuestion> candidates,
                SpareTime& time)
 {
     if (candidates.empty() || !time.is_left()) return;
     const RunOutcome& plain = worker.trusted(exercise, Answers::reference, group.name, group.result->seed);
-    // What one draw leaves in OpenGL's state must not reach the next.
-    const std::size_t most = exercise.gl && leaves_picture(plain) ? 1 : room(plain, exercise.limits);
+    const std::size_t most = questions_of_a_run(exercise, plain);
     if (candidates.size() > most) {
         weigh_all(worker, exercise, group, candidates.first(most), time);
         weigh_all(worker, exercise, group, candidates.subspan(most), time);

@@ -23,6 +23,10 @@ struct WeighedQuestion {
 /// May the question change what the check holds? Not if all its rows are known to be answers that it does not change.
 [[nodiscard]] bool may_concern(const QuestionLog& log, const FailingCheck& one, std::span<const std::string> functions);
 
+/// How many other questions one run of this case can be asked: what it can hold, and within a fifth of its time, which
+/// a busy machine stretches. One where it draws by OpenGL.
+[[nodiscard]] std::size_t questions_of_a_run(const Exercise& exercise, const RunOutcome& plain);
+
 /// Asks one case each of the questions, as many as a run can hold at a time. Where a run does not end well, its
 /// questions are asked in halves, until the one that does not bear asking is alone: some never end, such as a vector
 /// without length.

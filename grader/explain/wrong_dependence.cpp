@@ -10,6 +10,7 @@
 #include <umbral/record/variation.hpp>
 
 #include "explain/samples.hpp"
+#include "explain/weighed_questions.hpp"
 #include "judge/judges.hpp"
 #include "question/dependence.hpp"
 #include "question/movable.hpp"
@@ -23,7 +24,6 @@ namespace {
 
 constexpr std::size_t most_moved = 64;
 constexpr std::size_t most_moved_cells = 20'000;  ///< of a table
-constexpr std::size_t tensors_of_a_run = 240;     ///< in one run
 constexpr double most_seconds_of_runs = 1;        ///< of the reference's
 constexpr std::size_t fresh_place = 11;           ///< of practice inputs, behind those that conditions are confirmed on
 constexpr std::size_t enough_moved = 8;           ///< answers; of fewer, other cases are asked too
@@ -86,7 +86,8 @@ void ask_moved(const MovedCase& one, std::span<MovedAnswers> moved)
     for (const MovedAnswers& each : moved) inquiry.others.push_back(each.move);
     const std::string& case_name = asked.check.case_name;
     const RunOutcome right = worker.inquire(asked.exercise, judged_against(asked.check), case_name, seed, inquiry);
-    const RunOutcome yours = worker.run_moved(asked.exercise, asked.runs.built(), case_name, seed, inquiry.others);
+    const RunOutcome yours =
+        worker.run_moved(asked.exercise, asked.runs.built(), case_name, seed, inquiry.others, asked.check.value);
     time.spend(worker.run_seconds() - before);
     if (right.verdict != Verdict::ok || yours.verdict != Verdict::ok) {
         if (moved.size() == 1) return;
@@ -128,8 +129,7 @@ void add_answers(Worker& worker, const AskedCheck& asked, std::uint64_t seed, st
     if (expected.cpu_seconds * static_cast<double>(moves.size()) > most_seconds_of_runs) return;
     std::vector<MovedAnswers> moved;
     for (OtherQuestion& move : moves) moved.push_back({std::move(move)});
-    const std::size_t at_a_time = std::clamp<std::size_t>(
-        tensors_of_a_run / std::max<std::size_t>(1, expected.recording.tensors.size()), 1, most_moved);
+    const std::size_t at_a_time = questions_of_a_run(asked.exercise, expected);
     const MovedCase one{worker, asked, seed, *right, time};
     for (std::size_t i = 0; i < moved.size(); i += at_a_time)
         ask_moved(one, std::span(moved).subspan(i, std::min(at_a_time, moved.size() - i)));

@@ -158,6 +158,7 @@ void add_pattern(Block& block, const UnitResult& unit, const std::vector<const C
     const bool vague = shown.common.empty() || is_vague(shown.common_tells);
     if (!shown.common.empty() && !(vague && explained) && !is_told(shown.common_tells, main_reasons(unit)))
         block.sentence("pattern", shown.common);
+    if (!explained && !shown.depends.empty()) block.sentence("depends", shown.depends);
     if (explained || !vague) return;
     const auto telling = std::ranges::find_if(failing, [&](const CheckResult* check) {
         return check != &shown && !check->common.empty() && !is_vague(check->common_tells);
@@ -165,13 +166,6 @@ void add_pattern(Block& block, const UnitResult& unit, const std::vector<const C
     if (telling != failing.end())
         block.sentence(shown.common.empty() ? "pattern" : "",
                        fmt::format("in {}: {}", (*telling)->name, (*telling)->common));
-}
-
-/// What wrong answers depend on and should not, or the reverse, of the check that is shown, where no reason is known.
-void add_dependence(Block& block, const UnitResult& unit, const std::vector<const CheckResult*>& failing)
-{
-    if (failing.empty() || !main_reasons(unit).empty()) return;
-    if (!failing.front()->depends.empty()) block.sentence("depends", failing.front()->depends);
 }
 
 /// The line of the student's own file where wrong answers part from right ones, of the first check of which it is
@@ -290,7 +284,6 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint, 
             "Every check that you can see is right, but a hidden one is not. Its inputs are others of the kind "
             "that is told below.");
     if (ran) add_pattern(block, unit, failing);
-    if (ran) add_dependence(block, unit, failing);
     if (ran) add_code_place(block, unit, shown, paint);
     add_reasons(block, unit);
     if (ran) add_others(block, unit, failing, paint);

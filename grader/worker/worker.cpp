@@ -137,24 +137,6 @@ RunOutcome Worker::trusted_past(const Exercise& exercise, Answers solution, cons
     return run_now(exercise, wanted);
 }
 
-RunOutcome Worker::run_past(const Exercise& exercise, const Built& built, const std::string& case_name,
-                            std::uint64_t seed, const PassedOver& passed_over, double wall_seconds)
-{
-    RunRequest wanted = students_request(exercise, built, case_name, seed);
-    wanted.limits.wall_seconds = wall_seconds;
-    wanted.passed_over = passed_over;
-    return spare_time_.spent_on(run_students(exercise, wanted));
-}
-
-RunOutcome Worker::run_limited(const Exercise& exercise, const Built* built, const std::string& case_name,
-                               std::uint64_t seed, const CostLimit& costs)
-{
-    RunRequest wanted = built != nullptr ? students_request(exercise, *built, case_name, seed)
-                                         : trusted_request(exercise, Answers::reference, case_name, seed);
-    wanted.costs = costs;
-    return built != nullptr ? run_students(exercise, wanted) : run_now(exercise, wanted);
-}
-
 const RunOutcome& Worker::trusted(const Exercise& exercise, Answers solution, const std::string& case_name,
                                   std::uint64_t seed)
 {
@@ -194,40 +176,6 @@ std::map<std::uint32_t, std::string> Worker::code_of(const Exercise& exercise, c
     const RunOutcome told = inquire(exercise, Answers::reference, case_name, seed, {.wanted = std::move(questions)});
     if (told.verdict != Verdict::ok) return {};
     return read_questions(told.recording.tensors).code;
-}
-
-RunOutcome Worker::run_told(const Exercise& exercise, const Built& built, const std::string& case_name,
-                            std::uint64_t seed)
-{
-    RunRequest wanted = students_request(exercise, built, case_name, seed);
-    wanted.inquiry.questions = true;
-    for (const auto& [name, most] : WantedTensors(wanted.wanted))
-        wanted.wanted.emplace(std::string(question_names::rows) + name, most);
-    return spare_time_.spent_on(run_students(exercise, wanted));
-}
-
-RunOutcome Worker::run_moved(const Exercise& exercise, const Built& built, const std::string& case_name,
-                             std::uint64_t seed, const std::vector<OtherQuestion>& others)
-{
-    RunRequest wanted = students_request(exercise, built, case_name, seed);
-    const WantedTensors once = std::exchange(wanted.wanted, {});
-    for (std::size_t i = 0; i < others.size(); ++i)
-        for (const auto& [name, most] : once)
-            wanted.wanted.emplace(std::to_string(i) + question_names::of_other + name, most);
-    wanted.inquiry.others = others;
-    return spare_time_.spent_on(run_students(exercise, wanted));
-}
-
-RunOutcome Worker::run_coarse(const Exercise& exercise, const Built& built, const std::string& case_name,
-                              std::uint64_t seed, const Grain& grain, const RunOutcome& expected,
-                              const PassedOver& passed_over)
-{
-    RunRequest wanted = students_request(exercise, built, case_name, seed);
-    wanted.passed_over = passed_over;
-    for (auto& [value, cells] : wanted.wanted)
-        if (const Tensor* tensor = tensor_of(expected, value)) cells = tensor->cells();
-    wanted.inquiry.grain = grain;
-    return spare_time_.spent_on(run_students(exercise, wanted));
 }
 
 RunOutcome Worker::answer_of(const Exercise& exercise, const std::filesystem::path& library,

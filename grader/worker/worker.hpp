@@ -130,10 +130,11 @@ public:
     [[nodiscard]] RunOutcome run_told(const Exercise& exercise, const Built& built, const std::string& case_name,
                                       std::uint64_t seed);
 
-    /// What a student's build answers to others in place of a case's questions, of the checks' values only. They must
-    /// hold nothing that its own run does not: its process sees them.
+    /// What a student's build answers to others in place of a case's questions; read is only this value. They must hold
+    /// nothing that its own run does not: its process sees them.
     [[nodiscard]] RunOutcome run_moved(const Exercise& exercise, const Built& built, const std::string& case_name,
-                                       std::uint64_t seed, const std::vector<OtherQuestion>& others);
+                                       std::uint64_t seed, const std::vector<OtherQuestion>& others,
+                                       const std::string& value);
 
     /// Runs one case with what build_traced (build/traced.hpp) made of a student's files, and has it say as well
     /// through which blocks of its code each question went.

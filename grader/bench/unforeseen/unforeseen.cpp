@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <regex>
 #include <set>
 #include <umbral/core/random.hpp>
 
@@ -118,9 +117,10 @@ private:
     /// Do wrong answers to other inputs depend on the same?
     ToldSentence tried_dependence(const Check& check, const std::string& depends)
     {
-        const auto without_counts = [](const std::string& text) {
-            static const std::regex counts(" \\([0-9]+ wrong ones\\)");
-            return std::regex_replace(text, counts, "");
+        const auto without_counts = [](std::string text) {
+            for (std::size_t end = 0; (end = text.find(" wrong ones)")) != std::string::npos;)
+                text.erase(text.rfind(" (", end), text.find(')', end) + 1 - text.rfind(" (", end));
+            return text;
         };
         ToldSentence sentence{ToldSentence::Kind::dependence, check.name, without_counts(depends)};
         for (const unsigned inputs : other_inputs) {
