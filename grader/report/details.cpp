@@ -181,9 +181,8 @@ void add_code_place(Block& block, const UnitResult& unit, const CheckResult* sho
                                                     : fmt::format("in {}, ", known->name);
     block.sentence("code", fmt::format("{}:{}", place.file, place.line));
     const std::string text = paint.safe(place.text);
-    const bool fits = display_width(text) + 2 <= block.room();
     block.labelled("", {"  " + shorten(text, block.room() - 2, paint.ellipsis())});
-    if (fits && place.column > 1) {
+    if (display_width(text) + 2 <= block.room() && place.column > 1) {
         const std::string before =
             paint.safe(std::string_view(place.text).substr(0, static_cast<std::size_t>(place.column) - 1));
         block.labelled(
