@@ -29,7 +29,7 @@ namespace {
 /// What wrong answers share is looked for in all checks of a unit together for so long: it is said of one or two.
 constexpr double most_pattern_seconds = 6;
 /// … and what they depend on, of the checks that are shown first.
-constexpr double most_dependence_seconds = 3;
+constexpr double most_dependence_seconds = 2;
 
 bool fails(const Check& check, const CheckResult& result) { return result.score < check.points; }
 

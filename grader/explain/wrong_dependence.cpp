@@ -178,7 +178,7 @@ public:
             if (i < answers.columns.size()) names.push_back(answers.columns[i]);
         const bool is_all = one.components.size() == answers.components;
         if (!is_all) text.insert(0, fmt::format("in {} ", fmt::join(names, ", ")));
-        return text + fmt::format(" ({} wrong ones)", one.answers);
+        return text + fmt::format(" ({} wrong answers, other inputs among them)", one.answers);
     }
 
 private:

@@ -16,6 +16,8 @@ using Clock = std::chrono::steady_clock;
 
 /// So many changes that mend the first case are tried in all others.
 constexpr std::size_t most_candidates = 60;
+/// … and so many of them at a time.
+constexpr std::size_t at_a_time = 12;
 /// Of the wrong checks: what mends less has little to do with what is wrong.
 constexpr double least_mended = 0.25;
 
@@ -75,6 +77,7 @@ public:
             if (!candidates.empty()) result.repairs = best_of(std::move(candidates));
             if (!result.repairs.empty() || is_over()) break;
         }
+        result.out_of_time = result.repairs.empty() && is_over();
         return result;
     }
 
@@ -123,18 +126,26 @@ private:
         return found;
     }
 
-    /// Keeps what breaks nothing in any case, and mends the same on other inputs; adds what it mends elsewhere.
+    /// Keeps what breaks nothing in any case, and mends the same on other inputs; adds what it mends elsewhere. Those
+    /// that mend most come first, some at a time: once one holds, no others are looked at.
     void confirm(std::vector<Repair>& candidates)
     {
-        std::vector<char> holds(candidates.size(), 0);
-        crew_.share_out(candidates.size(), [&](Worker& worker, std::size_t index) {
-            if (std::optional<std::vector<std::string>> mends = mended(worker, candidates[index])) {
-                candidates[index].mends = std::move(*mends);
-                holds[index] = 1;
-            }
-        });
-        std::size_t index = 0;
-        std::erase_if(candidates, [&](const Repair&) { return holds[index++] == 0; });
+        std::vector<Repair> confirmed;
+        for (std::size_t first = 0; first < candidates.size() && confirmed.empty(); first += at_a_time) {
+            const std::size_t count = std::min(at_a_time, candidates.size() - first);
+            std::vector<char> holds(count, 0);
+            crew_.share_out(count, [&](Worker& worker, std::size_t index) {
+                if (is_over()) return;
+                Repair& candidate = candidates[first + index];
+                if (std::optional<std::vector<std::string>> mends = mended(worker, candidate)) {
+                    candidate.mends = std::move(*mends);
+                    holds[index] = 1;
+                }
+            });
+            for (std::size_t i = 0; i < count; ++i)
+                if (holds[i] != 0) confirmed.push_back(std::move(candidates[first + i]));
+        }
+        candidates = std::move(confirmed);
     }
 
     std::optional<std::vector<std::string>> mended(Worker& worker, const Repair& repair)

@@ -27,6 +27,7 @@ struct RepairSearch {
     std::vector<std::string> wrong;  ///< checks, before any change
     std::vector<Repair> repairs;     ///< those that mend most, at most one a line, in the order of lines
     std::size_t tried = 0;           ///< changes; fewer than there are if the time was over
+    bool out_of_time = false;        ///< what mends one case may not have been tried in all others
 };
 
 /// Looks among a student's file's own mutants for changes that mend it, in the cases that take the shortest time first:

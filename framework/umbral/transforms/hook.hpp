@@ -30,7 +30,7 @@ void draw_hook_between(Pipeline& pipeline, const Figure& hook, const glm::vec3& 
 [[nodiscard]] glm::mat4 hook_matrix(const glm::vec3& from, const glm::vec3& to);
 
 /// `count` copies of `hook` round the circle of radius 1 about the origin. With p_i at the angle 2π i / count, copy i
-/// goes from p_i to p_(i+1), for i = 0, 1, …, and the last one ends at p_0. Neutral; count >= 1, and 0 draws nothing.
+/// goes from p_i to p_(i+1), for i = 0, 1, …, and the last one ends at p_0. Neutral; a count of 0 draws nothing.
 /// Course: problem 2.18.
 void draw_hook_circle(Pipeline& pipeline, const Figure& hook, unsigned count);
 

@@ -118,7 +118,7 @@ private:
     ToldSentence tried_dependence(const Check& check, const std::string& depends)
     {
         const auto without_counts = [](std::string text) {
-            for (std::size_t end = 0; (end = text.find(" wrong ones)")) != std::string::npos;)
+            for (std::size_t end = 0; (end = text.find(" wrong answers, other inputs among them)")) != std::string::npos;)
                 text.erase(text.rfind(" (", end), text.find(')', end) + 1 - text.rfind(" (", end));
             return text;
         };

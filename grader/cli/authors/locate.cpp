@@ -68,12 +68,13 @@ void print_repair(const Paint& paint, const std::string& file, const std::string
 }
 
 /// Where no place was found: what follows from that, if all `changes` were tried. `debug` is the command that goes on.
-void print_no_place(const std::string& debug, std::size_t tried, std::size_t changes)
+void print_no_place(const std::string& debug, const RepairSearch& search, std::size_t changes)
 {
-    if (tried < changes)
+    const std::size_t tried = search.tried;
+    if (tried < changes || search.out_of_time)
         fmt::print(
-            "None of the {} small changes that there was time for makes a wrong check right; --seconds gives "
-            "more time.\n",
+            "None of the {} small changes that there was time for makes a wrong check right and breaks none; --seconds "
+            "gives more time.\n",
             tried);
     else
         fmt::print(
@@ -90,7 +91,7 @@ void print_search(const Paint& paint, const std::string& debug, const BuiltWork&
     const std::size_t shown = std::min(search.repairs.size(), most_places);
     for (std::size_t i = 0; i < shown; ++i)
         print_repair(paint, file, source, search.repairs[i], search.wrong.size(), show);
-    if (search.repairs.empty()) print_no_place(debug, search.tried, changes);
+    if (search.repairs.empty()) print_no_place(debug, search, changes);
     if (search.repairs.size() > 1) {
         const bool is_enough = search.repairs.front().mends.size() == search.wrong.size();
         fmt::print("{}; {} places were found.\n",
