@@ -51,8 +51,8 @@ struct StereoPair {
 ///
 /// Positive behind the screen, zero on it, negative before it. Throws std::invalid_argument if the distance is not in
 /// its range; of the screen, which nothing checks here, only distance and eye_separation count. Guarantee of the
-/// reference, here and below: the exact number rounded to float once, but for a part in 10^8. Course: paralaje positivo,
-/// negativo y cero.
+/// reference, here and below: the exact number rounded to float once, but for a part in 10^8. Course: paralaje
+/// positivo, negativo y cero.
 [[nodiscard]] float parallax(const StereoScreen& screen, float distance);
 
 /// The inverse: the distance at which a point has this parallax. Infinite if the parallax is the eyes' separation;
