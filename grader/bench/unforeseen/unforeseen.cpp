@@ -118,8 +118,11 @@ private:
     ToldSentence tried_dependence(const Check& check, const std::string& depends)
     {
         const auto without_counts = [](std::string text) {
-            for (std::size_t end = 0; (end = text.find(" wrong answers, other inputs among them)")) != std::string::npos;)
-                text.erase(text.rfind(" (", end), text.find(')', end) + 1 - text.rfind(" (", end));
+            constexpr std::string_view counted = " wrong answers, other inputs among them)";
+            for (std::size_t end = 0; (end = text.find(counted)) != std::string::npos;) {
+                const std::size_t begin = text.rfind(" (", end);
+                text.erase(begin, end + counted.size() - begin);
+            }
             return text;
         };
         ToldSentence sentence{ToldSentence::Kind::dependence, check.name, without_counts(depends)};
