@@ -105,58 +105,72 @@ void ask_moved(const MovedCase& one, std::span<MovedAnswers> moved)
 /// Adds one table's rows to those of another; a move that was not asked leaves none.
 void append(std::vector<double>& all, const std::vector<double>& more, std::size_t size)
 {
+    all.resize(std::max(all.size(), size - std::min(size, more.size())), std::nan(""));
     all.insert(all.end(), more.begin(), more.end());
     all.resize(size, std::nan(""));
 }
 
-/// The answers with the inputs of a seed, behind those that are there.
-void add_answers(Worker& worker, const AskedCheck& asked, std::uint64_t seed, std::string& function,
-                 AskedAnswers& named, AnswersToMoves& all, SpareTime& time)
-{
-    const Check& check = asked.check;
-    AskedAnswers answers = asked_answers(worker, asked, seed);
-    const QuestionLog& log = worker.questions(asked.exercise, check.case_name, seed);
-    if (function.empty()) function = function_asked_most(answers, log);
-    const RunOutcome& expected = worker.trusted(asked.exercise, judged_against(check), check.case_name, seed);
-    const Tensor* const right = tensor_of(expected, check.value);
-    const Tensor* const yours = observed(check, asked.runs.plain(seed));
-    if (function.empty() || answers.picture || (!all.moved.empty() && answers.components != all.components) ||
-        right == nullptr || !well_formed(*right) || !has_single_rows(check, yours, right) ||
-        right->cells() * right->components > most_moved_cells)
-        return;
-    std::vector<OtherQuestion> moves = moves_of(log, function);
-    moves.resize(std::min(moves.size(), most_moved));
-    if (expected.cpu_seconds * static_cast<double>(moves.size()) > most_seconds_of_runs) return;
-    std::vector<MovedAnswers> moved;
-    for (OtherQuestion& move : moves) moved.push_back({std::move(move)});
-    const std::size_t at_a_time = questions_of_a_run(asked.exercise, expected);
-    const MovedCase one{worker, asked, seed, *right, time};
-    for (std::size_t i = 0; i < moved.size(); i += at_a_time)
-        ask_moved(one, std::span(moved).subspan(i, std::min(at_a_time, moved.size() - i)));
-    all.components = right->components;
-    const std::size_t first_row = all.right.size() / all.components;
-    for (const AskedAnswer& answer : answers.all) {
-        const QuestionKind* const kind = answer.answer.wrong && answer.row ? log.kind_of(answer.question) : nullptr;
-        if (kind != nullptr && kind->function == function) all.wrong.push_back(first_row + *answer.row);
+/// Answers of a check with the inputs of several seeds, and of other checks of the same function.
+class Asked {
+public:
+    Asked(Worker& worker, SpareTime& time) : worker_(worker), time_(time) {}
+
+    /// Asks with the inputs of a seed, and adds the answers behind those that are there.
+    void add(const AskedCheck& asked, std::uint64_t seed)
+    {
+        const Check& check = asked.check;
+        AskedAnswers answers = asked_answers(worker_, asked, seed);
+        const QuestionLog& log = worker_.questions(asked.exercise, check.case_name, seed);
+        if (function.empty()) function = function_asked_most(answers, log);
+        const RunOutcome& expected = worker_.trusted(asked.exercise, judged_against(check), check.case_name, seed);
+        const Tensor* const right = tensor_of(expected, check.value);
+        const Tensor* const yours = observed(check, asked.runs.plain(seed));
+        if (function.empty() || answers.picture || (!all.moved.empty() && answers.components != all.components) ||
+            right == nullptr || !well_formed(*right) || !has_single_rows(check, yours, right) ||
+            right->cells() * right->components > most_moved_cells)
+            return;
+        std::vector<MovedAnswers> moved;
+        for (OtherQuestion& move : moves_of(log, function))
+            if (moved.size() < most_moved) moved.push_back({std::move(move)});
+        if (expected.cpu_seconds * static_cast<double>(moved.size()) > most_seconds_of_runs) return;
+        const std::size_t at_a_time = questions_of_a_run(asked.exercise, expected);
+        const MovedCase one{worker_, asked, seed, *right, time_};
+        for (std::size_t i = 0; i < moved.size(); i += at_a_time)
+            ask_moved(one, std::span(moved).subspan(i, std::min(at_a_time, moved.size() - i)));
+        add_rows(answers, log, *right, yours, std::move(moved));
+        if (named.all.empty()) named = std::move(answers);
     }
-    const std::size_t size = all.right.size() + right->cells() * right->components;
-    append(all.right, numbers_of(right, *right), size);
-    append(all.yours, numbers_of(yours, *right), size);
-    if (all.moved.empty()) {
-        all.moved = std::move(moved);
-        for (MovedAnswers& each : all.moved) {
-            append(each.yours, {}, size);
-            append(each.right, {}, size);
+
+    std::string function;  ///< that is asked, once that is known
+    AskedAnswers named;    ///< the first that were added
+    AnswersToMoves all;
+
+private:
+    void add_rows(const AskedAnswers& answers, const QuestionLog& log, const Tensor& right, const Tensor* yours,
+                  std::vector<MovedAnswers> moved)
+    {
+        all.components = right.components;
+        const std::size_t first_row = all.right.size() / all.components;
+        for (const AskedAnswer& answer : answers.all) {
+            const QuestionKind* const kind = answer.answer.wrong && answer.row ? log.kind_of(answer.question) : nullptr;
+            if (kind != nullptr && kind->function == function) all.wrong.push_back(first_row + *answer.row);
         }
-    } else {
+        const std::size_t before = all.right.size();
+        const std::size_t size = before + right.cells() * right.components;
+        append(all.right, numbers_of(&right, right), size);
+        append(all.yours, numbers_of(yours, right), size);
+        if (all.moved.empty())
+            for (const MovedAnswers& each : moved) all.moved.push_back({each.move});
         for (MovedAnswers& each : all.moved) {
-            const auto again = std::ranges::find(moved, each.move, &MovedAnswers::move);
-            append(each.yours, again == moved.end() ? std::vector<double>() : again->yours, size);
-            append(each.right, again == moved.end() ? std::vector<double>() : again->right, size);
+            const auto now = std::ranges::find(moved, each.move, &MovedAnswers::move);
+            append(each.yours, now == moved.end() ? std::vector<double>() : now->yours, size);
+            append(each.right, now == moved.end() ? std::vector<double>() : now->right, size);
         }
     }
-    if (named.all.empty()) named = std::move(answers);
-}
+
+    Worker& worker_;
+    SpareTime& time_;
+};
 
 /// Writes what answers depend on in the words of the unit's headers.
 class Words {
@@ -178,7 +192,7 @@ public:
             if (i < answers.columns.size()) names.push_back(answers.columns[i]);
         const bool is_all = one.components.size() == answers.components;
         if (!is_all) text.insert(0, fmt::format("in {} ", fmt::join(names, ", ")));
-        return text + fmt::format(" ({} wrong answers, other inputs among them)", one.answers);
+        return text;
     }
 
 private:
@@ -215,30 +229,27 @@ bool can_be_named(const Dependence& one, const AskedAnswers& answers)
 
 std::string wrong_dependence(Worker& worker, const AskedCheck& asked, SpareTime& time)
 {
-    if (!time.is_left() || asked.check.relation || !judge_of(asked.check).plain_values) return "";
-    AnswersToMoves all;
-    AskedAnswers named;
-    std::string function;
-    const auto add = [&](const AskedCheck& one, std::uint64_t seed) {
-        add_answers(worker, one, seed, function, named, all, time);
-    };
-    add(asked, input_seed(asked, 0));
-    add(asked, VariedSeed::with_mark(input_seed(asked, fresh_place)));
-    if (all.moved.empty()) return "";
+    // A program that draws is slow to ask so often.
+    if (!time.is_left() || asked.exercise.gl || asked.check.relation || !judge_of(asked.check).plain_values) return "";
+    Asked answers(worker, time);
+    answers.add(asked, input_seed(asked, 0));
+    answers.add(asked, VariedSeed::with_mark(input_seed(asked, fresh_place)));
+    if (answers.all.moved.empty()) return "";
+    const auto is_enough = [&] { return answers.all.wrong.size() >= enough_moved || !time.is_left(); };
     if (asked.others)
         asked.others([&](const AskedCheck& other) {
-            if (all.wrong.size() < enough_moved) add(other, input_seed(other, 0));
-            return all.wrong.size() < enough_moved && time.is_left();
+            if (!is_enough()) answers.add(other, input_seed(other, 0));
+            return !is_enough();
         });
-    std::vector<Dependence> found = dependences(all);
-    std::erase_if(found, [&](const Dependence& one) { return !can_be_named(one, named); });
+    std::vector<Dependence> found = dependences(answers.all);
+    std::erase_if(found, [&](const Dependence& one) { return !can_be_named(one, answers.named); });
     // What a number depends on instead says more than that it depends on something.
     std::ranges::stable_sort(found, {},
                              [](const Dependence& one) { return one.wrongly.empty() || one.lacking.empty(); });
     if (found.size() > most_told) found.resize(most_told);
-    const Words words(asked.headers, function);
+    const Words words(asked.headers, answers.function);
     std::string text;
-    for (const Dependence& one : found) text += (text.empty() ? "" : "; ") + words.sentence(one, named);
+    for (const Dependence& one : found) text += (text.empty() ? "" : "; ") + words.sentence(one, answers.named);
     return text;
 }
 

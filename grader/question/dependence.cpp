@@ -128,23 +128,20 @@ std::vector<Dependence> dependences(const AnswersToMoves& answers)
     for (std::size_t i = 0; i < answers.components; ++i) {
         std::set<MovedPlace> wrongly;
         std::set<MovedPlace> lacking;
-        std::size_t seen = 0;
         bool is_constant = true;
         bool is_like_right = false;  ///< something is used as it should be
         for (std::size_t m = 0; m < answers.moved.size(); ++m) {
             const auto& [yours, right] = reactions[m][i];
-            seen = std::max(seen, yours.seen);
             is_constant = is_constant && yours.changed == 0;
             is_like_right = is_like_right || (yours.changes() && right.changes());
             if (yours.changes() && right.stays()) wrongly.insert(place_of(answers.moved[m].move));
             if (right.changes() && yours.stays()) lacking.insert(place_of(answers.moved[m].move));
         }
         if (is_constant) continue;
-        Dependence one{{i}, told(std::move(wrongly)), told(std::move(lacking)), seen};
+        Dependence one{{i}, told(std::move(wrongly)), told(std::move(lacking))};
         if (one.wrongly.empty() && (one.lacking.empty() || !is_like_right)) continue;
-        const auto same = std::ranges::find_if(all, [&](const Dependence& other) {
-            return other.wrongly == one.wrongly && other.lacking == one.lacking && other.answers == one.answers;
-        });
+        const auto same = std::ranges::find_if(
+            all, [&](const Dependence& other) { return other.wrongly == one.wrongly && other.lacking == one.lacking; });
         if (same != all.end())
             same->components.push_back(i);
         else

@@ -39,7 +39,6 @@ struct Dependence {
     std::vector<std::size_t> components{};
     std::vector<MovedPlace> wrongly{};  ///< that they change with, and the right ones do not
     std::vector<MovedPlace> lacking{};  ///< that the right ones change with, and they do not
-    std::size_t answers = 0;            ///< how many it was seen in
 
     friend bool operator==(const Dependence&, const Dependence&) = default;
 };

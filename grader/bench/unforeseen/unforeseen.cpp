@@ -117,15 +117,7 @@ private:
     /// Do wrong answers to other inputs depend on the same?
     ToldSentence tried_dependence(const Check& check, const std::string& depends)
     {
-        const auto without_counts = [](std::string text) {
-            constexpr std::string_view counted = " wrong answers, other inputs among them)";
-            for (std::size_t end = 0; (end = text.find(counted)) != std::string::npos;) {
-                const std::size_t begin = text.rfind(" (", end);
-                text.erase(begin, end + counted.size() - begin);
-            }
-            return text;
-        };
-        ToldSentence sentence{ToldSentence::Kind::dependence, check.name, without_counts(depends)};
+        ToldSentence sentence{ToldSentence::Kind::dependence, check.name, depends};
         for (const unsigned inputs : other_inputs) {
             const CaseResult one = run(check, inputs);
             CaseRuns runs(worker_, exercise_, built_, check.case_name, one);
@@ -133,7 +125,7 @@ private:
                                    headers_};
             SpareTime time;
             time.allow(exercise_.limits.wall_seconds);
-            const std::string again = without_counts(wrong_dependence(worker_, asked, time));
+            const std::string again = wrong_dependence(worker_, asked, time);
             if (again.empty()) continue;
             if (again != sentence.words) sentence.truth = Truth::fails;
             if (again == sentence.words && sentence.truth == Truth::untried) sentence.truth = Truth::holds;
