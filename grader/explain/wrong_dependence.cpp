@@ -157,6 +157,7 @@ private:
             const QuestionKind* const kind = answer.answer.wrong && answer.row ? log.kind_of(answer.question) : nullptr;
             if (kind != nullptr && kind->function == function) all.wrong.push_back(first_row + *answer.row);
         }
+        all.ends.push_back(all.wrong.size());
         const std::size_t before = all.right.size();
         const std::size_t size = before + right.cells() * right.components;
         append(all.right, numbers_of(&right, right), size);

@@ -22,6 +22,7 @@ struct Reaction {
     std::size_t seen = 0;
     std::size_t changed = 0;
     std::size_t still = 0;
+    bool is_steady = true;  ///< as in all, most changed in each set of inputs
 
     void add(double before, double after, double size)
     {
@@ -31,7 +32,15 @@ struct Reaction {
             ++changed;
         if (change <= most_rest * size) ++still;
     }
-    [[nodiscard]] bool changes() const { return seen >= least_answers && 2 * changed >= seen; }
+    [[nodiscard]] bool changes() const { return seen >= least_answers && is_steady && 2 * changed >= seen; }
+    /// With the answers to other inputs.
+    void add(const Reaction& others)
+    {
+        is_steady = is_steady && (others.seen <= least_answers || 2 * others.changed >= others.seen);
+        seen += others.seen;
+        changed += others.changed;
+        still += others.still;
+    }
     [[nodiscard]] bool stays() const { return seen >= least_answers && still == seen; }
 };
 
@@ -50,12 +59,12 @@ bool are_finite(std::span<const double> numbers)
     return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
 }
 
-/// For each number of the answers, over all wrong rows that have numbers before and after on both sides.
-std::vector<Reactions> reactions_to(const MovedAnswers& moved, const AnswersToMoves& answers)
+/// For each number of the answers, over wrong rows that have numbers before and after on both sides.
+std::vector<Reactions> reactions_to(const MovedAnswers& moved, const AnswersToMoves& answers,
+                                    std::span<const std::size_t> rows)
 {
     std::vector<Reactions> reactions(answers.components);
-    if (moved.yours.size() != answers.yours.size() || moved.right.size() != answers.right.size()) return reactions;
-    for (const std::size_t row : answers.wrong) {
+    for (const std::size_t row : rows) {
         const auto yours = row_of(answers.yours, row, answers.components);
         const auto right = row_of(answers.right, row, answers.components);
         const auto yours_moved = row_of(moved.yours, row, answers.components);
@@ -69,6 +78,24 @@ std::vector<Reactions> reactions_to(const MovedAnswers& moved, const AnswersToMo
         }
     }
     return reactions;
+}
+
+std::vector<Reactions> reactions_to(const MovedAnswers& moved, const AnswersToMoves& answers)
+{
+    std::vector<Reactions> all(answers.components);
+    if (moved.yours.size() != answers.yours.size() || moved.right.size() != answers.right.size()) return all;
+    std::vector<std::size_t> ends = answers.ends;
+    if (ends.empty()) ends.push_back(answers.wrong.size());
+    std::size_t begin = 0;
+    for (const std::size_t end : ends) {
+        const auto some = reactions_to(moved, answers, std::span(answers.wrong).subspan(begin, end - begin));
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            all[i].yours.add(some[i].yours);
+            all[i].right.add(some[i].right);
+        }
+        begin = end;
+    }
+    return all;
 }
 
 /// "0.size.x" of "0.size" and "moved .x".

@@ -22,6 +22,7 @@ struct AnswersToMoves {
     std::vector<double> yours{};
     std::vector<double> right{};
     std::vector<std::size_t> wrong{};  ///< rows of answers that are looked at: wrong ones
+    std::vector<std::size_t> ends{};   ///< where among these those of one set of inputs end; none: all are of one
     std::vector<MovedAnswers> moved{};
 };
 
@@ -43,9 +44,9 @@ struct Dependence {
     friend bool operator==(const Dependence&, const Dependence&) = default;
 };
 
-/// Numbers of wrong answers that all change with an argument that no right one changes with there, or the reverse. Said
-/// of few places only: an answer that changes with nothing is constant, and one that changes with everything is of
-/// another kind.
+/// Numbers of wrong answers of which most change with an argument, in each set of inputs, that no right one changes
+/// with there, or the reverse. Said of few places only: an answer that changes with nothing is constant, and one that
+/// changes with everything is of another kind.
 [[nodiscard]] std::vector<Dependence> dependences(const AnswersToMoves& answers);
 
 }

@@ -114,6 +114,18 @@ TEST(Dependence, nothing_is_said_of_what_does_not_change_or_changes_with_all)
     EXPECT_TRUE(dependences(answers([](const Asked&) { return std::vector{std::nan("")}; }, right)).empty());
 }
 
+// Where the one set of inputs has all numbers of a kind, what it shows is that kind's.
+TEST(Dependence, each_set_of_inputs_must_show_it)
+{
+    const Answer yours = [](const Asked& a) { return std::vector{a.left + (a.x > 2 ? a.top : 0)}; };
+    AnswersToMoves all = answers(yours, [](const Asked& a) { return std::vector{a.left * 3}; });
+    all.wrong = {0, 1, 2, 3, 4, 0, 1, 2, 3};
+    EXPECT_FALSE(dependences(all).empty());
+    all.wrong = {0, 1, 2, 3, 0, 1, 2, 3, 4, 4, 4, 4};
+    all.ends = {8, 12};
+    EXPECT_TRUE(dependences(all).empty()) << "the last question's answers do not change with top";
+}
+
 TEST(Dependence, rounding_is_no_change)
 {
     const Answer right = [](const Asked& a) { return std::vector{a.left * 1000}; };
