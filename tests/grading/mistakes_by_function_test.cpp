@@ -8,6 +8,7 @@
 #include "explain/explain_unit.hpp"
 #include "handed_in.hpp"
 #include "question/log.hpp"
+#include "spoilt_reference.hpp"
 
 // A known mistake that is made in one function only, and not in all that the unit's list makes it in.
 namespace umbral::grader::test {
@@ -96,6 +97,22 @@ TEST_F(MistakesByFunction, are_told_with_the_function)
     }
     // Where few answers show it, or a transform says all of it, nothing need be said.
     EXPECT_GT(told, 3);
+}
+
+class DoubtedMistakes : public SpoiltReference {
+protected:
+    DoubtedMistakes() : SpoiltReference("texturing/mipmap") {}
+};
+
+// The few steps by hand are as long by a known mistake, those that are hidden are not.
+TEST_F(DoubtedMistakes, are_not_very_likely)
+{
+    const UnitResult result =
+        grade("const double step = std::max(length(texels * glm::dvec2(by_x)), length(texels * glm::dvec2(by_y)));",
+              "const glm::dvec2 x = glm::abs(texels * glm::dvec2(by_x)), y = glm::abs(texels * glm::dvec2(by_y));\n"
+              "    const double step = std::max(std::max(x.x, x.y), std::max(y.x, y.y));");
+    EXPECT_LT(result.score, result.max_score);
+    for (const Explanation& one : result.explanations) EXPECT_LT(one.confidence, 0.9) << one.name;
 }
 
 }
