@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <umbral/record/variation.hpp>
 
 #include "build/traced.hpp"
 #include "explain/asked_alone.hpp"
@@ -56,8 +55,7 @@ public:
         std::vector<PartingPlace> found = parting_places(seen);
         if (found.empty()) return std::nullopt;
         PassedPlaces fresh;
-        for (std::size_t i = 0; i < most_fresh; ++i)
-            add(asked_, VariedSeed::with_mark(input_seed(asked_, used + i)), fresh);
+        for (std::size_t i = 0; i < most_fresh; ++i) add(asked_, varied_seed(asked_, used + i), fresh);
         const bool is_confirmed = !lacks(fresh, true) && !lacks(fresh, false);
         std::erase_if(found, [&](const PartingPlace& one) {
             return is_confirmed ? !parts(place_among(one, fresh)) : are_few(one);
@@ -136,19 +134,6 @@ private:
     std::string function_;
 };
 
-/// Is it told which of the numbers in a question part wrong answers from right ones? Then a line of the branch that
-/// such questions take says no more, and is often as right as any.
-bool is_parted_by_question(const CheckResult& result)
-{
-    constexpr std::string_view wherever = "wrong wherever ";
-    const std::string& words = result.hidden ? result.practice : result.common;
-    const std::size_t begin = words.find(wherever);
-    if (begin == std::string::npos) return false;
-    const std::size_t first = begin + wherever.size();
-    const std::string condition = words.substr(first, words.find(" (", first) - first);
-    return !condition.starts_with(right_answer) || condition.find(" and ") != std::string::npos;
-}
-
 std::string sentence_of(const PartingPlace& place)
 {
     const auto all_of = [](std::size_t some, std::size_t all, const char* which) {
@@ -207,7 +192,9 @@ void add_code_place(Worker& worker, const Exercise& exercise, const Built& built
                     UnitResult& result)
 {
     if (std::ranges::any_of(result.explanations, explains_all)) return;
-    const std::vector<std::size_t> checks = failing_checks(worker, exercise, cases, result);
+    std::vector<std::size_t> checks = failing_checks(worker, exercise, cases, result);
+    // A line of the branch that such questions take says no more, and is often as right as any.
+    std::erase_if(checks, [&](std::size_t i) { return result.checks[i].told_by_question; });
     if (checks.empty()) return;
     const std::optional<Built> traced = build_traced(worker.tools(), exercise, built);
     if (!traced) return;
@@ -215,7 +202,6 @@ void add_code_place(Worker& worker, const Exercise& exercise, const Built& built
     const std::string no_headers;
     for (const std::size_t i : checks) {
         if (!traced_runs.has_time()) return;
-        if (is_parted_by_question(result.checks[i])) continue;
         const Check& check = exercise.checks[i];
         const CaseResult& one = cases.at(check.case_name);
         CaseRuns runs(worker, exercise, built, check.case_name, one);

@@ -267,10 +267,14 @@ AnswerPattern sentence_of(const InCommon& common)
     if (is_multiple(answer) && condition.words.ends_with(" is not 0")) return answer;
     // That an answer which is always the same is wrong where another one is right says nothing.
     if (answer.tells == CommonTells::constant && condition.of_answer) return answer;
-    const std::string text = in_plain_words(condition);
-    if (answer.words.empty()) return {text};
+    AnswerPattern told{in_plain_words(condition)};
+    const bool is_joined = !condition.fact && !condition.compares;
+    told.of_question = is_joined || !condition.words.starts_with(right_answer);
     // What may be chance is said last.
-    return {condition.also_told_by.empty() ? text + "; " + answer.words : answer.words + "; " + text};
+    if (!answer.words.empty())
+        told.words =
+            condition.also_told_by.empty() ? told.words + "; " + answer.words : answer.words + "; " + told.words;
+    return told;
 }
 
 std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const CommonCondition& condition,

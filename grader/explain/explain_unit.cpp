@@ -87,15 +87,9 @@ std::optional<Explanation> first_fault(const std::vector<CaseChecks>& groups)
 
 /// A reason that visible checks speak for, and that is none where hidden ones which fail are looked at too, fits by
 /// chance, or is not the only one: it is not very likely. Other questions are asked of visible checks only.
-void doubt_what_hidden_checks_deny(const Exercise& exercise, const UnitResult& result, const CaseResults& cases,
-                                   const std::vector<Explanation>& all, std::vector<Explanation>& found)
+void doubt_what_hidden_checks_deny(const std::vector<Explanation>& all, std::vector<Explanation>& found)
 {
     constexpr double doubted = (thresholds::least_sure + thresholds::very_sure) / 2;
-    bool fails_hidden = false;
-    for (std::size_t i = 0; i < exercise.checks.size(); ++i)
-        fails_hidden = fails_hidden || (cases.at(exercise.checks[i].case_name).hidden &&
-                                        result.checks[i].score < exercise.checks[i].points);
-    if (!fails_hidden) return;
     for (Explanation& one : found)
         if (!one.name.starts_with(question_reason) &&
             std::ranges::none_of(all, [&](const Explanation& other) { return other.name == one.name; }))
@@ -161,15 +155,19 @@ std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, 
     Exercise seen = exercise;
     UnitResult seen_result;
     seen.checks.clear();
+    bool fails_hidden = false;
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
-        if (cases.at(exercise.checks[i].case_name).hidden) continue;
+        if (cases.at(exercise.checks[i].case_name).hidden) {
+            fails_hidden = fails_hidden || result.checks[i].score < exercise.checks[i].points;
+            continue;
+        }
         seen.checks.push_back(exercise.checks[i]);
         seen_result.checks.push_back(result.checks[i]);
     }
     if (seen.checks.size() == exercise.checks.size()) return all;
     std::vector<Explanation> found = explain_unit(worker, seen, seen_result, cases, mistakes);
     const std::size_t from_seen = found.size();
-    doubt_what_hidden_checks_deny(exercise, result, cases, all, found);
+    if (fails_hidden) doubt_what_hidden_checks_deny(all, found);
     for (Explanation& one : all) {
         if (std::ranges::any_of(found, [&](const Explanation& other) { return other.name == one.name; })) continue;
         one.hidden = true;

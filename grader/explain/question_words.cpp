@@ -9,17 +9,13 @@
 #include <umbral/record/reflect.hpp>
 
 namespace umbral::grader {
-namespace {
 
-/// "a, b and c"
 std::string listed(const std::vector<std::string>& words)
 {
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i)
         text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
     return text;
-}
-
 }
 
 std::vector<std::string> functions_of(const OtherQuestion& question)

@@ -122,6 +122,7 @@ public:
         AnswerPattern shared =
             alone ? AnswerPattern{right_alone_of(exercise_)} : sentence_of(find_in_common(worker_, asked, patterns));
         if (shared.words.empty()) shared.words = rows_alone(worker_, asked, patterns);
+        result.told_by_question = shared.of_question;
         (one_.hidden ? result.practice : result.common) = std::move(shared.words);
         if (!one_.hidden) result.common_tells = shared.tells;
         if (!alone) result.depends = wrong_dependence(worker_, asked, dependence);

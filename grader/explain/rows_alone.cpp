@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <umbral/record/variation.hpp>
 
 #include "explain/samples.hpp"
 #include "question/lost_rows.hpp"
@@ -87,8 +86,7 @@ std::string rows_alone(Worker& worker, const AskedCheck& asked, SpareTime& time)
         std::size_t confirmed = 0;
         bool holds = condition.has_value();
         for (std::size_t i = 0; i < most_confirming && holds; ++i) {
-            const AskedAnswers fresh =
-                asked_answers(worker, asked, VariedSeed::with_mark(input_seed(asked, confirming_place + i)));
+            const AskedAnswers fresh = asked_answers(worker, asked, varied_seed(asked, confirming_place + i));
             const ToldRows rows = told_rows(calls_in(fresh, naming), side, naming.columns);
             if (std::ranges::count(rows.alone, true) == 0) continue;
             holds = parts(*condition, rows.facts, rows.alone);

@@ -30,6 +30,11 @@ std::uint64_t input_seed(const AskedCheck& asked, std::size_t place)
                                : seed_at(asked.result.seed, place);
 }
 
+std::uint64_t varied_seed(const AskedCheck& asked, std::size_t place)
+{
+    return VariedSeed::with_mark(input_seed(asked, place));
+}
+
 double Samples::seconds_of_a_set() const
 {
     const auto seconds = [&](Answers solution) {
@@ -93,7 +98,7 @@ const AskedSample& Samples::fresh(std::size_t number)
     (void)seen();
     std::optional<AskedSample>& one = fresh_.at(number - 1);
     // Behind all places that may be used otherwise.
-    if (!one) one = asked_sample(worker_, asked_, VariedSeed::with_mark(input_seed(asked_, most_added + 1 + number)));
+    if (!one) one = asked_sample(worker_, asked_, varied_seed(asked_, most_added + 1 + number));
     return *one;
 }
 

@@ -14,6 +14,9 @@ namespace umbral::grader {
 /// Inputs of a check's case, from 0 on: of a visible one first those that were graded, of a hidden one practice inputs.
 [[nodiscard]] std::uint64_t input_seed(const AskedCheck& asked, std::size_t place);
 
+/// The same with what is written down in the driver varied: inputs on which is confirmed what others showed.
+[[nodiscard]] std::uint64_t varied_seed(const AskedCheck& asked, std::size_t place);
+
 /// A check's answers in which something is looked for, and others on which it is confirmed; each found out once, when
 /// first asked for.
 class Samples {

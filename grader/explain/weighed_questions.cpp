@@ -27,15 +27,6 @@ bool rounds(const OtherQuestion& question)
     return question.change.starts_with("turned from ") || std::ranges::find(changes, question.change) != changes.end();
 }
 
-/// The numbers of a table; NaN where there is none.
-std::vector<double> numbers_or_nan(const Tensor& tensor)
-{
-    std::vector<double> values = to_doubles(tensor);
-    for (std::size_t i = 0; i < values.size() && !tensor.present.empty(); ++i)
-        if (tensor.present.at(i / tensor.components) == 0) values[i] = std::nan("");
-    return values;
-}
-
 /// Are all wrong answers the same yes or no, or none given? Then only which ones are wrong could agree, and of the many
 /// questions that may be asked instead one or another changes just these.
 bool errs_to_one_side(const FailingCheck& one)

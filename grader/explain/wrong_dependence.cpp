@@ -7,8 +7,8 @@
 #include <cmath>
 #include <map>
 #include <span>
-#include <umbral/record/variation.hpp>
 
+#include "explain/question_words.hpp"
 #include "explain/samples.hpp"
 #include "explain/weighed_questions.hpp"
 #include "judge/judges.hpp"
@@ -55,57 +55,15 @@ std::vector<OtherQuestion> moves_of(const QuestionLog& log, const std::string& f
 /// The numbers of a table as large as `like`; NaN where there is none.
 std::vector<double> numbers_of(const Tensor* tensor, const Tensor& like)
 {
-    std::vector<double> numbers(like.cells() * like.components, std::nan(""));
     if (tensor == nullptr || tensor->cells() != like.cells() || tensor->components != like.components ||
         !well_formed(*tensor))
-        return numbers;
-    const TensorView view(*tensor);
-    for (std::size_t row = 0; row < like.cells(); ++row)
-        if (view.present(row))
-            std::ranges::copy(view.cell(row), numbers.begin() + static_cast<std::ptrdiff_t>(row * like.components));
-    return numbers;
+        return std::vector<double>(like.cells() * like.components, std::nan(""));
+    return numbers_or_nan(*tensor);
 }
 
-/// The inputs of one seed.
-struct MovedCase {
-    Worker& worker;
-    const AskedCheck& asked;
-    std::uint64_t seed;
-    const Tensor& like;  ///< the right answers
-    SpareTime& time;
-};
-
-/// Asks both with these moves. Where one of them does not come to its end, each half by itself; a move that it fails
-/// with leaves no numbers.
-void ask_moved(const MovedCase& one, std::span<MovedAnswers> moved)
-{
-    const auto& [worker, asked, seed, like, time] = one;
-    if (moved.empty() || !time.is_left()) return;
-    const double before = worker.run_seconds();
-    Inquiry inquiry;
-    for (const MovedAnswers& each : moved) inquiry.others.push_back(each.move);
-    const std::string& case_name = asked.check.case_name;
-    const RunOutcome right = worker.inquire(asked.exercise, judged_against(asked.check), case_name, seed, inquiry);
-    const RunOutcome yours =
-        worker.run_moved(asked.exercise, asked.runs.built(), case_name, seed, inquiry.others, asked.check.value);
-    time.spend(worker.run_seconds() - before);
-    if (right.verdict != Verdict::ok || yours.verdict != Verdict::ok) {
-        if (moved.size() == 1) return;
-        ask_moved(one, moved.first(moved.size() / 2));
-        ask_moved(one, moved.subspan(moved.size() / 2));
-        return;
-    }
-    for (std::size_t i = 0; i < moved.size(); ++i) {
-        const std::string name = std::to_string(i) + question_names::of_other + asked.check.value;
-        moved[i].right = numbers_of(tensor_of(right, name), like);
-        moved[i].yours = numbers_of(tensor_of(yours, name), like);
-    }
-}
-
-/// Adds one table's rows to those of another; a move that was not asked leaves none.
+/// Adds one table's rows to those of another, which then hold `size` numbers; what was not asked leaves none.
 void append(std::vector<double>& all, const std::vector<double>& more, std::size_t size)
 {
-    all.resize(std::max(all.size(), size - std::min(size, more.size())), std::nan(""));
     all.insert(all.end(), more.begin(), more.end());
     all.resize(size, std::nan(""));
 }
@@ -134,11 +92,11 @@ public:
         std::vector<MovedAnswers> moved;
         for (OtherQuestion& move : moves_of(log, function))
             if (moved.size() < most_moved) moved.push_back({std::move(move)});
+        if (moved.empty()) return;
         if (expected.cpu_seconds * static_cast<double>(moved.size()) > most_seconds_of_runs) return;
         const std::size_t at_a_time = questions_of_a_run(asked.exercise, expected);
-        const MovedCase one{worker_, asked, seed, *right, time_};
         for (std::size_t i = 0; i < moved.size(); i += at_a_time)
-            ask_moved(one, std::span(moved).subspan(i, std::min(at_a_time, moved.size() - i)));
+            ask_moved(asked, seed, *right, std::span(moved).subspan(i, std::min(at_a_time, moved.size() - i)));
         add_rows(answers, log, *right, yours, std::move(moved));
         if (named.all.empty()) named = std::move(answers);
     }
@@ -148,6 +106,32 @@ public:
     AnswersToMoves all;
 
 private:
+    /// Asks both with these moves. Where one of them does not come to its end, each half by itself; a move that it
+    /// fails with leaves no numbers. `like`: the right answers.
+    void ask_moved(const AskedCheck& asked, std::uint64_t seed, const Tensor& like, std::span<MovedAnswers> moved)
+    {
+        if (moved.empty() || !time_.is_left()) return;
+        const double before = worker_.run_seconds();
+        Inquiry inquiry;
+        for (const MovedAnswers& each : moved) inquiry.others.push_back(each.move);
+        const Check& check = asked.check;
+        const RunOutcome right = worker_.inquire(asked.exercise, judged_against(check), check.case_name, seed, inquiry);
+        const RunOutcome yours =
+            worker_.run_moved(asked.exercise, asked.runs.built(), check.case_name, seed, inquiry.others, check.value);
+        time_.spend(worker_.run_seconds() - before);
+        if (right.verdict != Verdict::ok || yours.verdict != Verdict::ok) {
+            if (moved.size() == 1) return;
+            ask_moved(asked, seed, like, moved.first(moved.size() / 2));
+            ask_moved(asked, seed, like, moved.subspan(moved.size() / 2));
+            return;
+        }
+        for (std::size_t i = 0; i < moved.size(); ++i) {
+            const std::string name = question_names::with_other(i, check.value);
+            moved[i].right = numbers_of(tensor_of(right, name), like);
+            moved[i].yours = numbers_of(tensor_of(yours, name), like);
+        }
+    }
+
     void add_rows(const AskedAnswers& answers, const QuestionLog& log, const Tensor& right, const Tensor* yours,
                   std::vector<MovedAnswers> moved)
     {
@@ -158,8 +142,7 @@ private:
             if (kind != nullptr && kind->function == function) all.wrong.push_back(first_row + *answer.row);
         }
         all.ends.push_back(all.wrong.size());
-        const std::size_t before = all.right.size();
-        const std::size_t size = before + right.cells() * right.components;
+        const std::size_t size = all.right.size() + right.cells() * right.components;
         append(all.right, numbers_of(&right, right), size);
         append(all.yours, numbers_of(yours, right), size);
         if (all.moved.empty())
@@ -184,12 +167,12 @@ public:
     {
         std::string text;
         if (one.lacking.empty())
-            text = fmt::format("your answers change with {}, and the right ones do not", listed(one.wrongly));
+            text = fmt::format("your answers change with {}, and the right ones do not", words(one.wrongly));
         else if (one.wrongly.empty())
-            text = fmt::format("your answers do not change with {}, and the right ones do", listed(one.lacking));
+            text = fmt::format("your answers do not change with {}, and the right ones do", words(one.lacking));
         else
-            text = fmt::format("your answers change with {}, and the right ones with {} instead", listed(one.wrongly),
-                               listed(one.lacking));
+            text = fmt::format("your answers change with {}, and the right ones with {} instead", words(one.wrongly),
+                               words(one.lacking));
         std::vector<std::string> names;
         for (const std::size_t i : one.components)
             if (i < answers.columns.size()) names.push_back(answers.columns[i]);
@@ -207,13 +190,11 @@ private:
         return text;
     }
 
-    /// "box.left, box.right and the length of axis"
-    [[nodiscard]] std::string listed(const std::vector<MovedPlace>& places) const
+    [[nodiscard]] std::string words(const std::vector<MovedPlace>& places) const
     {
-        std::string text;
-        for (std::size_t i = 0; i < places.size(); ++i)
-            text += (i == 0 ? "" : i + 1 == places.size() ? " and " : ", ") + word(places[i]);
-        return text;
+        std::vector<std::string> all;
+        for (const MovedPlace& place : places) all.push_back(word(place));
+        return listed(all);
     }
 
     const std::string& headers_;
@@ -235,7 +216,7 @@ std::string wrong_dependence(Worker& worker, const AskedCheck& asked, SpareTime&
     if (!time.is_left() || asked.check.relation || !judge_of(asked.check).plain_values) return "";
     Asked answers(worker, time);
     answers.add(asked, input_seed(asked, 0));
-    answers.add(asked, VariedSeed::with_mark(input_seed(asked, fresh_place)));
+    answers.add(asked, varied_seed(asked, fresh_place));
     if (answers.all.moved.empty()) return "";
     const auto is_enough = [&] { return answers.all.wrong.size() >= enough_moved || !time.is_left(); };
     if (asked.others)

@@ -59,8 +59,10 @@ struct CheckResult {
     std::string practice{};  ///< as `common`, of a hidden check, about inputs that are not graded and the same for all
     std::optional<Difference> practice_example{};  ///< of a hidden check, the first wrong value with such inputs
     std::uint64_t practice_seed = 0;               ///< of its inputs; in no file
-    bool held_back = false;  ///< right by itself; it earned less for what it hangs on (Check::with)
-    bool beside = false;     ///< right where the case is asked alone, and wrong only with other questions in between
+    bool told_by_question = false;  ///< of `common` or `practice`: numbers of a question part wrong answers from right
+                                    ///< ones; in no file
+    bool held_back = false;         ///< right by itself; it earned less for what it hangs on (Check::with)
+    bool beside = false;  ///< right where the case is asked alone, and wrong only with other questions in between
     std::optional<Difference> simplest{};  ///< a wrong value with a question that is simpler than the first one's;
                                            ///< `where` says which of its numbers, or nothing
     std::string

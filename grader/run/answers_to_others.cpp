@@ -17,8 +17,7 @@ Recorder::Tensors answers_to_others(const DriverCase& one, const Case& what, con
         } catch (const std::exception&) {
             continue;
         }
-        for (const auto& [name, tensor] : recorder.tensors())
-            all[std::to_string(i) + question_names::of_other + name] = tensor;
+        for (const auto& [name, tensor] : recorder.tensors()) all[question_names::with_other(i, name)] = tensor;
     }
     return all;
 }

@@ -41,8 +41,7 @@ RunOutcome Worker::run_moved(const Exercise& exercise, const Built& built, const
 {
     RunRequest wanted = students_request(exercise, built, case_name, seed);
     const std::size_t most = std::exchange(wanted.wanted, {})[value];
-    for (std::size_t i = 0; i < others.size(); ++i)
-        wanted.wanted.emplace(std::to_string(i) + question_names::of_other + value, most);
+    for (std::size_t i = 0; i < others.size(); ++i) wanted.wanted.emplace(question_names::with_other(i, value), most);
     wanted.inquiry.others = others;
     return spare_time_.spent_on(run_students(exercise, wanted));
 }

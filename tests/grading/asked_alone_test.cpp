@@ -10,9 +10,7 @@ protected:
 
     bool is_said(const std::string& from, const std::string& to)
     {
-        GradeOptions options;
-        options.questions = true;
-        const UnitResult result = grade(from, to, options);
+        const UnitResult result = grade(from, to);
         EXPECT_LT(result.score, result.max_score);
         return std::ranges::any_of(result.checks, [](const CheckResult& one) {
             return one.common.find("if no other is made before it") != std::string::npos;

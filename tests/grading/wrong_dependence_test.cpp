@@ -10,13 +10,6 @@ std::string depends(const UnitResult& result)
     return told == result.checks.end() ? "" : told->depends;
 }
 
-GradeOptions with_questions()
-{
-    GradeOptions options;
-    options.questions = true;
-    return options;
-}
-
 class DependenceOfMatrices : public SpoiltReference {
 protected:
     DependenceOfMatrices() : SpoiltReference("projections/orthographic") {}
@@ -27,8 +20,7 @@ TEST_F(DependenceOfMatrices, names_the_side_that_an_entry_should_not_change_with
     const UnitResult result = grade("matrix[3][axis] = static_cast<float>(along.offset);",
                                     "matrix[3][axis] = static_cast<float>(along.offset);\n"
                                     "        if (axis == 1) matrix[3][1] *= sides[1].to - sides[1].from, "
-                                    "matrix[3][1] /= sides[0].to - sides[0].from;",
-                                    with_questions());
+                                    "matrix[3][1] /= sides[0].to - sides[0].from;");
     EXPECT_EQ(depends(result),
               "in entry (row 1, column 3) your answers change with box.left and box.right, and the right ones do not");
 }
@@ -36,7 +28,7 @@ TEST_F(DependenceOfMatrices, names_the_side_that_an_entry_should_not_change_with
 TEST_F(DependenceOfMatrices, says_nothing_of_a_wrong_sign)
 {
     const UnitResult result = grade("matrix[3][axis] = static_cast<float>(along.offset);",
-                                    "matrix[3][axis] = static_cast<float>(-along.offset);", with_questions());
+                                    "matrix[3][axis] = static_cast<float>(-along.offset);");
     EXPECT_LT(result.score, result.max_score);
     EXPECT_EQ(depends(result), "");
 }
@@ -50,8 +42,7 @@ TEST_F(DependenceOfProducts, names_what_is_not_used)
 {
     const UnitResult result = grade("return static_cast<float>(dot(glm::dvec3(a), glm::dmat3(gram) * glm::dvec3(b)));",
                                     "glm::dmat3 upper(gram);\n    upper[0][1] = upper[0][2] = 0;\n"
-                                    "    return static_cast<float>(dot(glm::dvec3(a), upper * glm::dvec3(b)));",
-                                    with_questions());
+                                    "    return static_cast<float>(dot(glm::dvec3(a), upper * glm::dvec3(b)));");
     EXPECT_TRUE(depends(result).starts_with("your answers do not change with gram[0][1]")) << depends(result);
 }
 
@@ -63,8 +54,7 @@ TEST_F(DependenceOfProducts, survives_what_the_code_does_with_other_arguments)
         const UnitResult result =
             grade("return static_cast<float>(dot(glm::dvec3(a), glm::dmat3(gram) * glm::dvec3(b)));",
                   "if (gram[0][0] == 17.0F / 16) { " + std::string(harm) +
-                      " }\n    return static_cast<float>(dot(glm::dvec3(b), glm::dvec3(a)));",
-                  with_questions());
+                      " }\n    return static_cast<float>(dot(glm::dvec3(b), glm::dvec3(a)));");
         EXPECT_EQ(result.verdict, Verdict::partial) << harm;
         EXPECT_LT(result.score, result.max_score) << harm;
     }

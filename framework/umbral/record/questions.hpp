@@ -44,7 +44,12 @@ inline constexpr std::string_view features = "?features ";   ///< + line of ?fun
 inline constexpr std::string_view others = "?others";        ///< lines "function<TAB>place<TAB>change<TAB>other place"
 inline constexpr std::string_view moves = "?moves";          ///< the same, of small changes
 inline constexpr std::string_view histories = "?histories";  ///< lines "function<TAB>what changed its objects<TAB>…"
-inline constexpr char of_other = '?';       ///< between the number of an other question and a recorded name
+inline constexpr char of_other = '?';  ///< between the number of an other question and a recorded name
+/// What `value` is called where the other question of this number is asked.
+[[nodiscard]] inline std::string with_other(std::size_t number, std::string_view value)
+{
+    return std::to_string(number) + of_other + std::string(value);
+}
 inline constexpr char line_break = '\x1F';  ///< in code; texts in it are escaped, and hold no such letter
 }
 

@@ -99,19 +99,32 @@ private:
             if (again.score == again.max_score) continue;
             const bool said = std::ranges::any_of(again.explanations,
                                                   [&](const Explanation& one) { return names.contains(one.name); });
-            if (!said) sentence.truth = Truth::fails;
-            if (said && sentence.truth == Truth::untried) sentence.truth = Truth::holds;
+            note(sentence, said);
         }
         return sentence;
     }
 
-    CaseResult run(const Check& check, unsigned inputs)
+    /// Calls `use` with the check, its case run with these inputs, and the time that it may take.
+    template <class Use>
+    auto with_asked(const Check& check, unsigned inputs, const Use& use)
     {
         CaseResult one;
         one.hidden = is_hidden_case(exercise_, check.case_name);
         one.seed = options_for(inputs).seeds.seed_of(exercise_, check.case_name);
         one.student = worker_.run(exercise_, built_, check.case_name, one.seed);
-        return one;
+        CaseRuns runs(worker_, exercise_, built_, check.case_name, one);
+        const AskedCheck asked{exercise_, check, runs, one, worker_.questions(exercise_, check.case_name, one.seed),
+                               headers_};
+        SpareTime time;
+        time.allow(exercise_.limits.wall_seconds);
+        return use(asked, time);
+    }
+
+    /// Takes down whether a sentence holds with other inputs too.
+    static void note(ToldSentence& sentence, bool holds)
+    {
+        if (!holds) sentence.truth = Truth::fails;
+        if (holds && sentence.truth == Truth::untried) sentence.truth = Truth::holds;
     }
 
     /// Do wrong answers to other inputs depend on the same?
@@ -119,16 +132,10 @@ private:
     {
         ToldSentence sentence{ToldSentence::Kind::dependence, check.name, depends};
         for (const unsigned inputs : other_inputs) {
-            const CaseResult one = run(check, inputs);
-            CaseRuns runs(worker_, exercise_, built_, check.case_name, one);
-            const AskedCheck asked{exercise_, check, runs, one, worker_.questions(exercise_, check.case_name, one.seed),
-                                   headers_};
-            SpareTime time;
-            time.allow(exercise_.limits.wall_seconds);
-            const std::string again = wrong_dependence(worker_, asked, time);
-            if (again.empty()) continue;
-            if (again != sentence.words) sentence.truth = Truth::fails;
-            if (again == sentence.words && sentence.truth == Truth::untried) sentence.truth = Truth::holds;
+            const std::string again = with_asked(check, inputs, [&](const AskedCheck& asked, SpareTime& time) {
+                return wrong_dependence(worker_, asked, time);
+            });
+            if (!again.empty()) note(sentence, again == depends);
         }
         return sentence;
     }
@@ -136,18 +143,14 @@ private:
     /// What is said of a check's wrong answers.
     void try_common(const Check& check, UnforeseenBug& bug)
     {
-        const CaseResult one = run(check, seen_inputs);
-        CaseRuns runs(worker_, exercise_, built_, check.case_name, one);
-        const AskedCheck asked{exercise_, check, runs, one, worker_.questions(exercise_, check.case_name, one.seed),
-                               headers_};
-        SpareTime time;
-        time.allow(exercise_.limits.wall_seconds);
-        const InCommon common = find_in_common(worker_, asked, time);
-        if (common.condition)
-            bug.said.push_back(
-                tried(asked, *common.condition, ToldSentence::Kind::condition, common.condition->condition.words));
-        if (!common.answer.words.empty())
-            bug.said.push_back(tried(asked, common.answer.words, ToldSentence::Kind::answer, common.answer.words));
+        with_asked(check, seen_inputs, [&](const AskedCheck& asked, SpareTime& time) {
+            const InCommon common = find_in_common(worker_, asked, time);
+            if (common.condition)
+                bug.said.push_back(
+                    tried(asked, *common.condition, ToldSentence::Kind::condition, common.condition->condition.words));
+            if (!common.answer.words.empty())
+                bug.said.push_back(tried(asked, common.answer.words, ToldSentence::Kind::answer, common.answer.words));
+        });
     }
 
     template <class Pattern>
@@ -158,9 +161,7 @@ private:
         for (const unsigned inputs : other_inputs) {
             const std::uint64_t seed = options_for(inputs).seeds.seed_of(exercise_, asked.check.case_name);
             const std::optional<bool> holds = holds_at(worker_, asked, pattern, seed);
-            if (!holds) continue;
-            if (!*holds) sentence.truth = Truth::fails;
-            if (*holds && sentence.truth == Truth::untried) sentence.truth = Truth::holds;
+            if (holds) note(sentence, *holds);
         }
         return sentence;
     }

@@ -146,9 +146,8 @@ std::string in_words(const Parting& parting, const std::string& came, const std:
             return fmt::format("{} came too early: it is expected in row {}{}", came, *place,
                                gap.lost > 0 ? ", after " + wanted : std::string());
         if (gap.lost == 0) {
-            for (std::size_t i = 0; i < expected.cells(); ++i)
-                if (same_event(tolerance, event, expected.cell(i))) return came + " came too often";
-            return came + " came, and is expected nowhere";
+            return came +
+                   (times_in(expected, event, tolerance) > 0 ? " came too often" : " came, and is expected nowhere");
         }
     }
     const std::string instead =

@@ -229,8 +229,7 @@ std::vector<NamedTransform> image_transforms()
         {"alpha only", "Your colours are right; only the alpha differs.", restore_alpha, describe_alpha, -20},
         {"flipped vertically",
          "Your picture is upside down: top and bottom are exchanged, or rows are counted from the other end (row 0 is "
-         "the "
-         "top one here, while OpenGL counts from the bottom).",
+         "the top one here, while OpenGL counts from the bottom).",
          flip_vertically},
         {"flipped horizontally",
          "Your picture is mirrored left to right: look at the sign of the x axis or of a cross product.",

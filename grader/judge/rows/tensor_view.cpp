@@ -73,6 +73,14 @@ std::vector<double> to_doubles(const Tensor& tensor)
     return values;
 }
 
+std::vector<double> numbers_or_nan(const Tensor& tensor)
+{
+    std::vector<double> values = to_doubles(tensor);
+    for (std::size_t i = 0; i < values.size() && !tensor.present.empty(); ++i)
+        if (tensor.present.at(i / tensor.components) == 0) values[i] = std::nan("");
+    return values;
+}
+
 Tensor with_values(const Tensor& like, std::span<const double> values)
 {
     Tensor tensor = like;

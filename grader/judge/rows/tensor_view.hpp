@@ -41,6 +41,8 @@ private:
 
 /// All values of a well-formed tensor.
 [[nodiscard]] std::vector<double> to_doubles(const Tensor& tensor);
+/// The same; NaN in rows without an answer.
+[[nodiscard]] std::vector<double> numbers_or_nan(const Tensor& tensor);
 
 /// A tensor of the shape, type and presence of `like` with these values; integers are rounded and clamped to their
 /// range.
