@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "explain/answer_lengths.hpp"
 #include "explain/asked_alone.hpp"
 #include "explain/asked_answers.hpp"
 #include "explain/code_place.hpp"
@@ -56,6 +57,12 @@ struct WrongRow {
     std::uint32_t question;
     std::size_t row;
 };
+
+/// One more sentence, if there is one.
+void add_part(std::string& text, const std::string& part)
+{
+    if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
+}
 
 class CaseQuestions {
 public:
@@ -122,6 +129,7 @@ public:
         AnswerPattern shared =
             alone ? AnswerPattern{right_alone_of(exercise_)} : sentence_of(find_in_common(worker_, asked, patterns));
         if (shared.words.empty()) shared.words = rows_alone(worker_, asked, patterns);
+        if (!alone) add_part(shared.words, answer_lengths(worker_, asked, patterns));
         result.told_by_question = shared.of_question;
         (one_.hidden ? result.practice : result.common) = std::move(shared.words);
         if (!one_.hidden) result.common_tells = shared.tells;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <limits>
 
 #include <umbral/record/questions.hpp>
 
@@ -56,9 +57,10 @@ void read_code(std::string_view text, QuestionLog& log)
     }
 }
 
-void read_kinds(const Recorder::Tensors& tensors, QuestionLog& log)
+std::vector<QuestionKind> kinds_in(const Recorder::Tensors& tensors, std::string_view names, std::string_view table)
 {
-    for (const std::string_view line : lines_of(text_of(tensors, question_names::functions))) {
+    std::vector<QuestionKind> kinds;
+    for (const std::string_view line : lines_of(text_of(tensors, names))) {
         const std::vector<std::string_view> words = split(line, '\t');
         QuestionKind kind{std::string(words.front()), {}, {}, {}};
         for (std::size_t i = 1; i < words.size(); ++i) {
@@ -66,17 +68,20 @@ void read_kinds(const Recorder::Tensors& tensors, QuestionLog& log)
             kind.features.emplace_back(named.front());
             kind.words.emplace_back(named.begin() + 1, named.end());
         }
-        const auto found = tensors.find(std::string(question_names::features) + std::to_string(log.kinds.size()));
+        const auto found = tensors.find(std::string(table) + std::to_string(kinds.size()));
         if (found != tensors.end() && found->second.components == words.size()) {
-            const std::vector<double> table = numbers_of<double>(found->second, Element::float64);
-            for (std::size_t i = 0; i + words.size() <= table.size(); i += words.size()) {
-                const auto first = table.begin() + static_cast<std::ptrdiff_t>(i);
-                kind.questions[static_cast<std::uint32_t>(table[i])].assign(
+            const std::vector<double> rows = numbers_of<double>(found->second, Element::float64);
+            for (std::size_t i = 0; i + words.size() <= rows.size(); i += words.size()) {
+                // A student's run may have written anything.
+                if (!(rows[i] >= 0 && rows[i] <= std::numeric_limits<std::uint32_t>::max())) continue;
+                const auto first = rows.begin() + static_cast<std::ptrdiff_t>(i);
+                kind.questions[static_cast<std::uint32_t>(rows[i])].assign(
                     first + 1, first + static_cast<std::ptrdiff_t>(words.size()));
             }
         }
-        log.kinds.push_back(std::move(kind));
+        kinds.push_back(std::move(kind));
     }
+    return kinds;
 }
 
 std::vector<QuestionTile> tiles_in(const std::vector<std::uint32_t>& numbers)
@@ -178,7 +183,8 @@ QuestionLog read_questions(const Recorder::Tensors& tensors)
             log.wholes[name.substr(question_names::whole.size())] = {span[0], span[1]};
     }
     read_code(text_of(tensors, question_names::code), log);
-    read_kinds(tensors, log);
+    log.kinds = kinds_in(tensors, question_names::functions, question_names::features);
+    log.sized = kinds_in(tensors, question_names::sized, question_names::sizes);
     log.others = others_in(text_of(tensors, question_names::others));
     log.moves = others_in(text_of(tensors, question_names::moves));
     read_histories(text_of(tensors, question_names::histories), log);

@@ -46,6 +46,7 @@ struct QuestionLog {
     std::map<std::string, std::vector<QuestionTile>, std::less<>> tiles;
     std::map<std::uint32_t, std::string> code;
     std::vector<QuestionKind> kinds;
+    std::vector<QuestionKind> sized;    ///< with how many elements the lists in the answers have, in place of features
     std::vector<OtherQuestion> others;  ///< that can be asked in place of these
     std::vector<OtherQuestion> moves;   ///< small changes of these
     /// For each function that objects were asked by: those that made them, or may have changed them before.

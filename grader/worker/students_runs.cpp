@@ -7,6 +7,14 @@
 
 // Runs of students' code beside the one that is graded.
 namespace umbral::grader {
+namespace {
+
+/// What is looked at of what a run tells of its questions and of the lists in their answers.
+constexpr std::size_t most_sized = 16;           ///< functions
+constexpr std::size_t most_sized_calls = 20000;  ///< of each
+constexpr std::size_t most_sized_text = 65536;   ///< bytes of names
+
+}
 
 RunOutcome Worker::run_past(const Exercise& exercise, const Built& built, const std::string& case_name,
                             std::uint64_t seed, const PassedOver& passed_over, double wall_seconds)
@@ -33,6 +41,11 @@ RunOutcome Worker::run_told(const Exercise& exercise, const Built& built, const 
     wanted.inquiry.questions = true;
     for (const auto& [name, most] : WantedTensors(wanted.wanted))
         wanted.wanted.emplace(std::string(question_names::rows) + name, most);
+    wanted.wanted.emplace(question_names::sized, most_sized_text);
+    wanted.wanted.emplace(question_names::functions, most_sized_text);
+    for (std::size_t i = 0; i < most_sized; ++i)
+        for (const std::string_view table : {question_names::sizes, question_names::features})
+            wanted.wanted.emplace(std::string(table) + std::to_string(i), most_sized_calls);
     return spare_time_.spent_on(run_students(exercise, wanted));
 }
 

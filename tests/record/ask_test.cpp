@@ -73,6 +73,21 @@ TEST(Ask, passes_on_what_is_written_to)
     EXPECT_EQ(text(tensors, "?code"), "0\tauto filled = std::vector<float>{9};|append_twice(4, filled);|filled\n");
 }
 
+TEST(Ask, tells_how_long_the_lists_in_answers_are)
+{
+    std::vector<float> list = {9};
+    const auto tensors = asked(first_two, [&](Recorder& out) {
+        ask<append_twice>(out, 4, list);
+        (void)ask<sum>(out, std::array{1.0F}, Side::back);
+        EXPECT_EQ(ask<shape_of>(out, 3).corners.size(), 3U);
+        EXPECT_EQ(ask<shape_of>(out, 0).name, "0");
+        ask<append_twice>(out, 5, list);
+    });
+    EXPECT_EQ(text(tensors, "?sized"), "umbral::sample::append_twice\t1\numbral::sample::shape_of\tcorners\tname\n");
+    EXPECT_EQ(numbers<double>(tensors, "?sizes 0"), (std::vector<double>{0, 3, 4, 5}));
+    EXPECT_EQ(numbers<double>(tensors, "?sizes 1"), (std::vector<double>{2, 3, 1, 3, 0, 1}));
+}
+
 TEST(Ask, of_an_object_tells_all_that_was_done_to_it)
 {
     const auto tensors = asked({.questions = true, .wanted = {3, 4}}, [](Recorder& out) {

@@ -37,6 +37,16 @@ inline float sum(std::span<const float> numbers, Side side)
 inline bool is_odd(bool odd) { return odd; }
 inline void append_twice(float value, std::vector<float>& to) { to.insert(to.end(), 2, value); }
 
+struct Shape {
+    std::vector<glm::vec2> corners;
+    std::string name;
+    glm::vec3 color{};
+};
+inline Shape shape_of(int corners)
+{
+    return {std::vector<glm::vec2>(static_cast<std::size_t>(corners)), std::to_string(corners), {}};
+}
+
 using Step = std::function<void(Counter&)>;
 inline void take_steps(Counter& counter, const Step& step, int count)
 {

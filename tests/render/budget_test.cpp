@@ -135,6 +135,25 @@ TEST(Budget, a_picture_has_the_error_that_was_asked_for)
     EXPECT_NEAR(error / result.measured_error, 1, 0.2);
 }
 
+TEST(Budget, half_way_the_rays_are_chosen_anew_by_what_half_of_them_took)
+{
+    const scene::Scene scene = render::test::first_light();
+    // Every picture takes one tick, whatever its rays: half way it turns out that many more are had in that time.
+    double ticks = 0;
+    const Result result =
+        draw_within({false, 25}, scene, make_draw_list(scene, 32, 24, true), 32, 24, 2, [&] { return ticks++; });
+    EXPECT_GT(result.choice.setting.rays, 2 * result.planned_rays);
+    EXPECT_LE(result.predicted_seconds, 25);
+    DrawList list = make_draw_list(scene, 32, 24, true);
+    const rays::World world = rays::make_world(list);
+    const Stage stage{scene, list, world, 32, 24, 2, [] { return 0.0; }};
+    const Look whole = look_at(stage, result.choice.setting, 1, 3);
+    ASSERT_EQ(whole.frame.color.cells.size(), result.frame.color.cells.size());
+    for (std::size_t i = 0; i < whole.frame.color.cells.size(); ++i)
+        EXPECT_LT(glm::length(whole.frame.color.cells[i] - result.frame.color.cells[i]), 1e-4F) << i;
+    EXPECT_EQ(whole.rays, result.followed);
+}
+
 TEST(Budget, scramblings_differ_and_every_part_of_a_picture_is_the_picture_s)
 {
     const scene::Scene scene = render::test::first_light();

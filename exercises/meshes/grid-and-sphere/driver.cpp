@@ -1,5 +1,6 @@
 #include <kit/amount.hpp>
 #include <kit/canonical.hpp>
+#include <kit/row_of.hpp>
 #include <kit/varied.hpp>
 #include <optional>
 #include <umbral/record/ask.hpp>
@@ -124,7 +125,7 @@ void record_surface(Random& random, Recorder& out, const char* name, std::uint32
         const glm::dvec3 place = static_cast<double>(k) * (0.5 + 0.5 * glm::dvec3(random.unit_vector()));
         const glm::uvec3 cell = min(glm::uvec3(place), glm::uvec3(k - 1));
         const std::size_t byte = (cell.x + std::size_t{k} * (cell.y + std::size_t{k} * cell.z)) / 8;
-        out.append(name, byte < bytes.size() ? std::optional<float>(bytes[byte]) : std::nullopt);
+        out.append(name, row_of(bytes, byte));
     }
 }
 
@@ -148,8 +149,7 @@ void record_voxels(Variation& vary, Recorder& out)
         if (random != nullptr)
             record_surface(*random, out, "bytes", k, bytes);
         else
-            for (std::size_t i = 0; i < (k * k * k + 7) / 8; ++i)
-                out.append("bytes", i < bytes.size() ? std::optional<float>(bytes[i]) : std::nullopt);
+            for (std::size_t i = 0; i < (k * k * k + 7) / 8; ++i) out.append("bytes", row_of(bytes, i));
     }
 }
 
@@ -183,8 +183,7 @@ void record_fine(Random& random, Recorder& out)
         const IndexedMesh mesh = shape.make(out);
         for (int i = 0; i < 200; ++i) {
             const std::size_t place = random.below(static_cast<std::uint32_t>(shape.vertices()));
-            out.append(shape.sphere ? "sphere" : "grid",
-                       place < mesh.positions.size() ? mesh.positions[place] : glm::vec3(NAN));
+            out.append(shape.sphere ? "sphere" : "grid", row_of(mesh.positions, place));
         }
     }
 }

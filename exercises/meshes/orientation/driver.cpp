@@ -23,7 +23,7 @@ constexpr const char* corner_names = "first index, second index, third index";
 void record_triangles(Recorder& out, const char* name, const std::vector<glm::uvec3>& triangles, std::size_t count)
 {
     for (std::size_t i = 0; i < count; ++i)
-        out.append(name, i < triangles.size() ? glm::vec3(canonical(triangles[i])) : glm::vec3(std::nanf("")));
+        out.append(name, i < triangles.size() ? std::optional(glm::vec3(canonical(triangles[i]))) : std::nullopt);
 }
 
 void record_faults(Recorder& out, const IndexedMesh& mesh)

@@ -1,3 +1,4 @@
+#include <kit/row_of.hpp>
 #include <kit/varied.hpp>
 #include <umbral/meshes/ply.hpp>
 #include <umbral/record/ask.hpp>
@@ -51,8 +52,7 @@ void record_read(Recorder& out, const std::string& file, const PolygonMesh& expe
     const bool has_places = !expected.positions.empty();
     const PolygonMesh mesh =
         has_places ? read_or_nothing(out, file, {"positions", "faces"}) : read_or_nothing(out, file, {"faces"});
-    for (std::size_t i = 0; i < expected.positions.size(); ++i)
-        out.append("positions", i < mesh.positions.size() ? mesh.positions[i] : glm::vec3(std::nanf("")));
+    for (std::size_t i = 0; i < expected.positions.size(); ++i) out.append("positions", row_of(mesh.positions, i));
     record_faces(out, mesh.faces, expected);
 }
 

@@ -1,6 +1,7 @@
 #include <kit/canonical.hpp>
 #include <kit/magnitude.hpp>
 #include <kit/refusal.hpp>
+#include <kit/row_of.hpp>
 #include <kit/varied.hpp>
 #include <umbral/meshes/revolution.hpp>
 #include <umbral/record/ask.hpp>
@@ -29,13 +30,11 @@ Places all_places(const Profile& profile, std::uint32_t copies)
 
 void record_vertices(Recorder& out, const TexturedMesh& surface, const Places& places)
 {
-    constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
     out.columns("coordinates", "s, t");
     for (const std::size_t i : places) {
-        out.append("positions", i < surface.mesh.positions.size() ? surface.mesh.positions[i] : glm::vec3(nothing));
-        out.append("normals", i < surface.normals.size() ? surface.normals[i] : glm::vec3(nothing));
-        out.append("coordinates",
-                   i < surface.texture_coordinates.size() ? surface.texture_coordinates[i] : glm::vec2(nothing));
+        out.append("positions", row_of(surface.mesh.positions, i));
+        out.append("normals", row_of(surface.normals, i));
+        out.append("coordinates", row_of(surface.texture_coordinates, i));
     }
 }
 

@@ -3,6 +3,7 @@
 #include <kit/amount.hpp>
 #include <kit/canonical.hpp>
 #include <kit/drawing.hpp>
+#include <kit/row_of.hpp>
 #include <kit/varied.hpp>
 #include <map>
 #include <numeric>
@@ -44,17 +45,14 @@ void record_tables(Recorder& out, std::uint32_t sides, Random* random)
 {
     const auto code = static_cast<float>(sides);
     const std::vector<std::uint32_t> places = places_of(random, sides);
-    const auto record = [&](const char* name, const std::vector<glm::vec2>& table, std::size_t place) {
-        out.append(name, place < table.size() ? table[place] : glm::vec2(NAN));
-    };
     const std::vector<glm::vec2> loop = ask<polygon_loop>(out, sides);
-    for (const std::uint32_t place : places) record("loop", loop, place);
+    for (const std::uint32_t place : places) out.append("loop", row_of(loop, place));
     const std::vector<glm::vec2> segments = ask<polygon_segments>(out, sides);
     for (const std::uint32_t place : places)
-        for (const std::size_t end : {0U, 1U}) record("segments", segments, std::size_t{2} * place + end);
+        for (const std::size_t end : {0U, 1U}) out.append("segments", row_of(segments, std::size_t{2} * place + end));
     const IndexedPolygon fan = ask<polygon_fan>(out, sides);
-    for (const std::uint32_t place : places) record("positions", fan.positions, place);
-    record("positions", fan.positions, sides);
+    for (const std::uint32_t place : places) out.append("positions", row_of(fan.positions, place));
+    out.append("positions", row_of(fan.positions, sides));
     record_indices(out, "triangles", code, at_places(fan.triangles, places, sides), sides);
     record_indices(out, "edges", code, at_places(fan.edges, places, sides), std::size_t{2} * sides);
 }

@@ -19,10 +19,11 @@ void record_layout(Recorder& out, const char* name, const VertexLayout& layout, 
     const auto number = [](std::uint64_t value) { return static_cast<double>(value); };
     for (std::size_t i = 0; i < attributes; ++i) {
         const bool there = i < layout.places.size();
-        out.append(name, there ? glm::dvec2(number(layout.places[i].offset), number(layout.places[i].stride))
-                               : glm::dvec2(NAN));
+        out.append(name,
+                   there ? std::optional(glm::dvec2(number(layout.places[i].offset), number(layout.places[i].stride)))
+                         : std::nullopt);
     }
-    out.append(name, glm::dvec2(number(layout.bytes), number(layout.places.size())));
+    out.append(name, std::optional(glm::dvec2(number(layout.bytes), number(layout.places.size()))));
 }
 
 void record_layouts(Recorder& out, const std::vector<VertexAttribute>& attributes, std::uint64_t vertices)

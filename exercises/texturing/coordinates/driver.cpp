@@ -1,5 +1,6 @@
 #include <kit/magnitude.hpp>
 #include <kit/refusal.hpp>
+#include <kit/row_of.hpp>
 #include <limits>
 #include <umbral/record/driver.hpp>
 
@@ -88,8 +89,7 @@ void record_grid(Recorder& out, int columns, int rows)
     const std::vector<glm::vec2> grid = ask<parametric_coordinates>(out, columns, rows);
     out.append("sizes", static_cast<std::int32_t>(grid.size()));
     const std::size_t size = static_cast<std::size_t>(columns + 1) * static_cast<std::size_t>(rows + 1);
-    for (std::size_t i = 0; i < size; ++i)
-        out.append("table", i < grid.size() ? grid[i] : glm::vec2(std::numeric_limits<float>::quiet_NaN()));
+    for (std::size_t i = 0; i < size; ++i) out.append("table", row_of(grid, i));
 }
 
 // More columns or rows than 16 bits count: how many pairs there are, and those at the ends of rows.
@@ -100,7 +100,7 @@ void record_long_grid(Recorder& out, int columns, int rows)
     const std::size_t row = static_cast<std::size_t>(columns) + 1;
     const std::size_t size = row * (static_cast<std::size_t>(rows) + 1);
     for (const std::size_t place : {std::size_t{1}, row - 1, row, size - row, size - 1})
-        out.append("table", place < grid.size() ? grid[place] : glm::vec2(std::numeric_limits<float>::quiet_NaN()));
+        out.append("table", row_of(grid, place));
 }
 
 void grids(Random& random, Recorder& out)

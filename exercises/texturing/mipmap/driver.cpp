@@ -25,8 +25,8 @@ void record_mipmap(Recorder& out, const Grid<glm::vec4>& texture)
         out.append("sizes",
                    level < mipmap.size() ? glm::vec2(mipmap[level].width, mipmap[level].height) : glm::vec2(-1));
         for (int i = 0; i < size * size; i += level == 0 ? std::max(1, size * size - 1) : 1)
-            out.append("texels", exists ? mipmap[level].cells[static_cast<std::size_t>(i)]
-                                        : glm::vec4(std::numeric_limits<float>::quiet_NaN()));
+            out.append("texels",
+                       exists ? std::optional(mipmap[level].cells[static_cast<std::size_t>(i)]) : std::nullopt);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <tuple>
+#include <umbral/record/answer_sizes.hpp>
 #include <umbral/record/call_text.hpp>
 #include <umbral/record/questions.hpp>
 #include <umbral/record/recorder.hpp>
@@ -111,6 +112,27 @@ bool has_object(const Questions& questions, const std::tuple<Kept...>& arguments
     (std::index_sequence_for<Kept...>{});
 }
 
+/// What `call` returns, a call of `function` with these arguments. How long the lists in it are is taken down.
+template <class Result, class... Kept, class Call>
+Result answered(Questions& questions, std::string_view function, const std::tuple<Kept...>& arguments, const Call& call)
+{
+    constexpr bool can_be_looked_at = std::is_object_v<Result> && std::is_move_constructible_v<Result>;
+    const auto take_down = [&](const auto* result) {
+        if (!questions.inquiry().questions) return;
+        questions.set_sizes(function, sizes_of(result, arguments, !questions.knows_sizes(function)));
+    };
+    if constexpr (can_be_looked_at) {
+        Result result = call();
+        take_down(&result);
+        return result;
+    } else if constexpr (std::is_void_v<Result>) {
+        call();
+        take_down(static_cast<const void*>(nullptr));
+    } else {
+        return call();
+    }
+}
+
 /// What the driver goes on with where a question must not be asked. What has no empty value, or would be used as an
 /// object, ends the case.
 template <class Result>
@@ -144,7 +166,9 @@ struct AskFunction {
                                 code_of_call<Result>(*questions, name, all));
         note(*questions, name, all);
         const EndOfCall end(*questions);
-        return std::apply([](auto&... each) -> Result { return Function(each...); }, all);
+        return answered<Result>(*questions, name, all, [&]() -> Result {
+            return std::apply([](auto&... each) -> Result { return Function(each...); }, all);
+        });
     }
 };
 
@@ -174,7 +198,9 @@ struct AskMember {
         if (Changes && known) questions->note_change(name);
         note(*questions, name, all);
         const EndOfCall end(*questions);
-        return std::apply([&](auto&... each) -> Result { return (object.*Function)(each...); }, all);
+        return answered<Result>(*questions, name, all, [&]() -> Result {
+            return std::apply([&](auto&... each) -> Result { return (object.*Function)(each...); }, all);
+        });
     }
 };
 

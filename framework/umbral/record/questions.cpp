@@ -52,7 +52,23 @@ void Questions::introduce(std::string_view function, const Features& features, s
 
 void Questions::set_features(std::string_view function, const Features& features)
 {
-    Function& found = *std::ranges::find(functions_, function, &Function::name);
+    add_numbers(*std::ranges::find(functions_, function, &Function::name), features);
+}
+
+bool Questions::knows_sizes(std::string_view function) const
+{
+    return std::ranges::find(sized_, function, &Function::name) != sized_.end();
+}
+
+void Questions::set_sizes(std::string_view function, const Features& sizes)
+{
+    if (sizes.values.empty()) return;
+    if (!knows_sizes(function)) sized_.push_back({std::string(function), sizes.names, {}});
+    add_numbers(*std::ranges::find(sized_, function, &Function::name), sizes);
+}
+
+void Questions::add_numbers(Function& found, const Features& features) const
+{
     // Of overloads, those that are called like the first one; and of very many questions, the first.
     if (features.values.size() != found.features.size()) return;
     if (found.table.size() + features.values.size() > most_numbers) return;
@@ -131,6 +147,20 @@ void Questions::link_tile(std::string_view value, int x, int y, int width, int h
     tiles_[std::string(value)].push_back({count_ - count, count, number(x), number(y), number(width), number(height)});
 }
 
+void Questions::write_tables(const std::vector<Function>& functions, std::string_view names, std::string_view table,
+                             std::map<std::string, Tensor, std::less<>>& tensors)
+{
+    std::string lines;
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+        lines += functions[i].name;
+        for (const std::string& feature : functions[i].features) lines += '\t' + feature;
+        lines += '\n';
+        tensors[std::string(table) + std::to_string(i)] =
+            tensor_of<double>(functions[i].table, functions[i].features.size() + 1);
+    }
+    tensors[std::string(names)] = tensor_of<char>(lines);
+}
+
 void Questions::write(std::map<std::string, Tensor, std::less<>>& tensors) const
 {
     const auto add = [&](const std::string& name, Tensor tensor) {
@@ -152,14 +182,8 @@ void Questions::write(std::map<std::string, Tensor, std::less<>>& tensors) const
         }
         add(std::string(question_names::tiles) + value, tensor_of<std::uint32_t>(rows, 7));
     }
-    std::string functions;
-    for (std::size_t i = 0; i < functions_.size(); ++i) {
-        functions += functions_[i].name;
-        for (const std::string& feature : functions_[i].features) functions += '\t' + feature;
-        functions += '\n';
-        add(std::string(question_names::features) + std::to_string(i),
-            tensor_of<double>(functions_[i].table, functions_[i].features.size() + 1));
-    }
+    write_tables(functions_, question_names::functions, question_names::features, tensors);
+    write_tables(sized_, question_names::sized, question_names::sizes, tensors);
     std::string histories;
     for (const auto& [function, changing] : histories_) {
         histories += function;
@@ -167,7 +191,6 @@ void Questions::write(std::map<std::string, Tensor, std::less<>>& tensors) const
         histories += '\n';
     }
     add(std::string(question_names::histories), tensor_of<char>(histories));
-    add(std::string(question_names::functions), tensor_of<char>(functions));
     add(std::string(question_names::code), tensor_of<char>(code_));
     add(std::string(question_names::others), tensor_of<char>(others_));
     add(std::string(question_names::moves), tensor_of<char>(moves_));

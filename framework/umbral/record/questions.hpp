@@ -41,6 +41,10 @@ inline constexpr std::string_view tiles = "?tiles ";
 inline constexpr std::string_view code = "?code";            ///< lines "number<TAB>code"
 inline constexpr std::string_view functions = "?functions";  ///< lines "function<TAB>feature<TAB>…"
 inline constexpr std::string_view features = "?features ";   ///< + line of ?functions: rows "question, features …"
+/// The same two of answers: how many elements the lists in them have, called by their places in what was returned, or
+/// in the arguments.
+inline constexpr std::string_view sized = "?sized";
+inline constexpr std::string_view sizes = "?sizes ";
 inline constexpr std::string_view others = "?others";        ///< lines "function<TAB>place<TAB>change<TAB>other place"
 inline constexpr std::string_view moves = "?moves";          ///< the same, of small changes
 inline constexpr std::string_view histories = "?histories";  ///< lines "function<TAB>what changed its objects<TAB>…"
@@ -95,6 +99,11 @@ public:
     void introduce(std::string_view function, const Features& features, std::span<const Part> parts);
     /// Takes the numbers in the current question, a call of `function`.
     void set_features(std::string_view function, const Features& features);
+    /// Are the lists in what `function` answers known by their names?
+    [[nodiscard]] bool knows_sizes(std::string_view function) const;
+    /// Takes how long the lists in the answer to the current question are, a call of `function`; the first time with
+    /// their names.
+    void set_sizes(std::string_view function, const Features& sizes);
     /// Asks the other question: changes the arguments of the current one, a call of `function`.
     void change(std::string_view function, std::span<const Part> parts) { instead_->change(function, parts); }
 
@@ -124,6 +133,7 @@ public:
     void write(std::map<std::string, Tensor, std::less<>>& tensors) const;
 
 private:
+    struct Function;
     struct Line {
         std::size_t number;  ///< among all objects' lines
         std::string text;
@@ -139,6 +149,10 @@ private:
         std::vector<double> table;  ///< question, features, row by row
     };
 
+    void add_numbers(Function& function, const Features& features) const;
+    static void write_tables(const std::vector<Function>& functions, std::string_view names, std::string_view table,
+                             std::map<std::string, Tensor, std::less<>>& tensors);
+
     Inquiry inquiry_;
     std::function<void()> noted_{};
     std::function<void()> left_{};
@@ -148,6 +162,7 @@ private:
     std::uint32_t whole_to_ = 0;    ///< … to the one before this
     std::string code_;
     std::vector<Function> functions_;
+    std::vector<Function> sized_;  ///< with the lists in their answers in the place of features
     std::string others_;
     std::string moves_;
     std::map<const void*, Object> objects_;

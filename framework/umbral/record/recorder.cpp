@@ -95,6 +95,10 @@ void Recorder::append(std::string_view name, const std::optional<glm::vec4>& val
 {
     optional_row(name, Element::float32, value);
 }
+void Recorder::append(std::string_view name, const std::optional<glm::dvec2>& value)
+{
+    optional_row(name, Element::float64, value);
+}
 void Recorder::append(std::string_view name, const std::optional<glm::dvec3>& value)
 {
     optional_row(name, Element::float64, value);

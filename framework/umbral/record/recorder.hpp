@@ -59,6 +59,7 @@ public:
     void append(std::string_view name, const std::optional<glm::vec2>& value);
     void append(std::string_view name, const std::optional<glm::vec3>& value);
     void append(std::string_view name, const std::optional<glm::vec4>& value);
+    void append(std::string_view name, const std::optional<glm::dvec2>& value);
     void append(std::string_view name, const std::optional<glm::dvec3>& value);
     void append(std::string_view name, const std::optional<glm::ivec2>& value);
     void append(std::string_view name, const std::optional<glm::mat4>& value);

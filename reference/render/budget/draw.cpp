@@ -1,10 +1,35 @@
 #include "render/budget/draw.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
 
 namespace umbral::render::budget {
+namespace {
+
+constexpr std::uint32_t scrambling = 3;  ///< neither the pilot's nor that of the second look
+
+/// The choice among other numbers of rays, by what `drawn` rays took; never fewer than these.
+Choice chosen_anew(const Result& result, int drawn, double took, double seconds)
+{
+    const Setting& setting = result.choice.setting;
+    Model model = result.pilot.model;
+    const auto keep = [](std::vector<Cut>& cuts, int value) {
+        std::erase_if(cuts, [&](const Cut& cut) { return cut.value != value; });
+        return cuts.front().cost;
+    };
+    const double cost = keep(model.depths, setting.depth) * keep(model.bounces, setting.bounces);
+    model.ray_seconds = std::max(1e-9, took / drawn / cost);
+    Choice choice = most_accurate(model, seconds);
+    choice.setting.rays = std::max(choice.setting.rays, drawn);
+    choice.predicted = predict(model, choice.setting);
+    choice.reached = result.choice.reached;
+    choice.compared = result.choice.compared;
+    return choice;
+}
+
+}
 
 double wall_seconds()
 {
@@ -26,18 +51,26 @@ Result draw_within(const Wish& wish, const scene::Scene& scene, DrawList list, i
     const double before = stage.clock() - start;
     // The second picture, by which the error is measured, is as sparse as the pilot's.
     const double in_all = 1 + 1.0 / every;
-    result.choice = wish.is_error ? cheapest(result.pilot.model, wish.value)
-                                  : most_accurate(result.pilot.model, (wish.value - before) / in_all);
-    result.predicted_seconds = before + in_all * result.choice.predicted.seconds;
+    const double left = (wish.value - before) / in_all;
+    result.choice = wish.is_error ? cheapest(result.pilot.model, wish.value) : most_accurate(result.pilot.model, left);
+    result.planned_rays = result.choice.setting.rays;
+    Setting part = result.choice.setting;
+    if (!wish.is_error) part.rays = (part.rays + 1) / 2;
+    Look picture = look_at(stage, part, 1, scrambling);
+    if (!wish.is_error) result.choice = chosen_anew(result, part.rays, picture.seconds, left);
     const Setting& setting = result.choice.setting;
-    Look picture = look_at(stage, setting, 1, 3);
-    const Look again = look_at(stage, setting, every, 4);
-    std::vector<double> part;
+    if (const int drawn = part.rays; drawn < setting.rays) {
+        part.rays = setting.rays - drawn;
+        picture = joined(stage, std::move(picture), drawn, look_at(stage, part, 1, scrambling, drawn), part.rays);
+    }
+    result.predicted_seconds = before + in_all * result.choice.predicted.seconds;
+    const Look again = look_at(stage, setting, every, scrambling + 1);
+    std::vector<double> sparse;
     for (int y = 0, i = 0; y < height; ++y)
         for (int x = 0; x < width; ++x, i += 3)
             if (rays::is_drawn(every, x, y))
-                for (int c = 0; c < 3; ++c) part.push_back(picture.shown[static_cast<std::size_t>(i) + c]);
-    result.measured_error = std::hypot(error_between(part, again.shown), result.choice.predicted.bias);
+                for (int c = 0; c < 3; ++c) sparse.push_back(picture.shown[static_cast<std::size_t>(i) + c]);
+    result.measured_error = std::hypot(error_between(sparse, again.shown), result.choice.predicted.bias);
     result.render_seconds = picture.seconds;
     result.followed = picture.rays;
     result.frame = std::move(picture.frame);

@@ -12,6 +12,7 @@ struct Result {
     Wish wish;
     Setting whole;  ///< what the scene says, with one ray
     Pilot pilot;
+    int planned_rays = 0;  ///< of the choice before the picture; what is asked by time is chosen anew half way
     Choice choice;
     double prepared_seconds = 0;   ///< surfaces and hierarchy
     double predicted_seconds = 0;  ///< in all: preparing, pilot, picture, and looking at it again
@@ -22,8 +23,9 @@ struct Result {
     Frame frame;
 };
 
-/// Prepares the scene, flies the pilot, chooses, draws, and looks again. `list` must hold what rays need; `clock` as in
-/// Stage.
+/// Prepares the scene, flies the pilot, chooses, draws, and looks again. Of a picture that is asked for by its time
+/// half the rays are drawn first, and how many more are drawn is chosen by what those took: a pilot's rays are fewer
+/// and farther apart, and take longer. `list` must hold what rays need; `clock` as in Stage.
 [[nodiscard]] Result draw_within(const Wish& wish, const scene::Scene& scene, DrawList list, int width, int height,
                                  int threads, std::function<double()> clock);
 

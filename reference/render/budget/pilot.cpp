@@ -24,6 +24,19 @@ void append_shown(std::vector<double>& shown, const glm::vec4& color, const glm:
     for (int i = 0; i < 3; ++i) shown.push_back(encoded(light[i]));
 }
 
+/// Of the pixels that are drawn.
+std::vector<double> shown_of(const Stage& stage, const Frame& frame, int every)
+{
+    std::vector<double> shown;
+    for (int y = 0; y < stage.height; ++y) {
+        const float down = (static_cast<float>(y) + 0.5F) / static_cast<float>(stage.height);
+        const glm::vec3 background = glm::mix(stage.scene.background_top, stage.scene.background_bottom, down);
+        for (int x = 0; x < stage.width; ++x)
+            if (rays::is_drawn(every, x, y)) append_shown(shown, frame.color.at(x, y), background);
+    }
+    return shown;
+}
+
 bool has_mirrors(const scene::Scene& scene)
 {
     return std::ranges::any_of(scene.materials, [](const scene::Material& material) {
@@ -66,28 +79,38 @@ std::vector<Cut> cuts(const Stage& stage, const Setting& whole, int Setting::*kn
 
 }
 
-Look look_at(const Stage& stage, const Setting& setting, int every, std::uint32_t scrambling)
+Look look_at(const Stage& stage, const Setting& setting, int every, std::uint32_t scrambling, int first)
 {
     const double start = stage.clock();
     stage.list.depth = setting.depth;
     stage.list.bounces = setting.bounces;
     rays::RayCounts counts;
     Look look;
-    look.frame = rays::draw_by_rays(
-        stage.world, stage.width, stage.height,
-        {.rays = setting.rays, .threads = stage.threads, .spread = true, .every = every, .scrambling = scrambling},
-        &counts);
-    for (int y = 0; y < stage.height; ++y) {
-        const float down = (static_cast<float>(y) + 0.5F) / static_cast<float>(stage.height);
-        const glm::vec3 background = glm::mix(stage.scene.background_top, stage.scene.background_bottom, down);
-        for (int x = 0; x < stage.width; ++x)
-            if (rays::is_drawn(every, x, y)) append_shown(look.shown, look.frame.color.at(x, y), background);
-    }
+    look.frame = rays::draw_by_rays(stage.world, stage.width, stage.height,
+                                    {.rays = setting.rays,
+                                     .first = first,
+                                     .threads = stage.threads,
+                                     .spread = true,
+                                     .every = every,
+                                     .scrambling = scrambling},
+                                    &counts);
+    look.shown = shown_of(stage, look.frame, every);
     // Rays to parts of lights are among the shadow rays.
     look.rays =
         static_cast<double>(counts.camera + counts.shadow + counts.mirrored + counts.refracted + counts.bounced);
     look.seconds = stage.clock() - start;
     return look;
+}
+
+Look joined(const Stage& stage, Look a, int rays_of_a, const Look& b, int rays_of_b)
+{
+    const float share = static_cast<float>(rays_of_b) / static_cast<float>(rays_of_a + rays_of_b);
+    for (std::size_t i = 0; i < a.frame.color.cells.size(); ++i)
+        a.frame.color.cells[i] = glm::mix(a.frame.color.cells[i], b.frame.color.cells[i], share);
+    a.shown = shown_of(stage, a.frame, 1);
+    a.rays += b.rays;
+    a.seconds += b.seconds;
+    return a;
 }
 
 double mean_product(const std::vector<double>& a, const std::vector<double>& b)

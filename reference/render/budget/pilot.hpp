@@ -29,8 +29,14 @@ struct Look {
     double seconds = 0;
 };
 
-/// Draws one pixel in `every`, all rays spread over their pixels.
-[[nodiscard]] Look look_at(const Stage& stage, const Setting& setting, int every, std::uint32_t scrambling);
+/// Draws one pixel in `every`, all rays spread over their pixels. The rays have the numbers from `first` on: looks of
+/// other numbers are parts of one.
+[[nodiscard]] Look look_at(const Stage& stage, const Setting& setting, int every, std::uint32_t scrambling,
+                           int first = 0);
+
+/// One look of two parts, of all pixels of one stage, that have so many rays through each pixel; depths and ids are
+/// those of `a`.
+[[nodiscard]] Look joined(const Stage& stage, Look a, int rays_of_a, const Look& b, int rays_of_b);
 
 /// The mean of the products of two lists as long, not empty.
 [[nodiscard]] double mean_product(const std::vector<double>& a, const std::vector<double>& b);

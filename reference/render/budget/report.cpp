@@ -45,6 +45,9 @@ std::string text_of(const Result& result)
     const char* nearest = wish.is_error ? "the most accurate that there is" : "the quickest that there is";
     text += result.choice.reached ? fmt::format("Why: {} {}, of {} settings\n", kind, asked, result.choice.compared)
                                   : fmt::format("Why: {}, since {} is out of reach\n", nearest, asked);
+    if (result.planned_rays != result.choice.setting.rays)
+        text += fmt::format("Half way: the pilot said {} rays; what half of them took says {}\n", result.planned_rays,
+                            result.choice.setting.rays);
     text += fmt::format("Predicted: error {} (noise {}, missing {}); {:.3g} s in all, {:.3g} s of them the picture\n",
                         percent(predicted.error), percent(predicted.noise), percent(predicted.bias),
                         result.predicted_seconds, predicted.seconds);
@@ -74,6 +77,7 @@ nlohmann::json to_json(const Result& result)
               {"slope", noise_slope(result.pilot.model)},
               {"depths", cuts(result.pilot.model.depths)},
               {"bounces", cuts(result.pilot.model.bounces)}}},
+            {"planned_rays", result.planned_rays},
             {"chosen", setting(result.choice.setting)},
             {"reached", result.choice.reached},
             {"predicted",

@@ -1,0 +1,89 @@
+#include "explain/answer_lengths.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "explain/samples.hpp"
+#include "question/answer_sizes.hpp"
+#include "question/log.hpp"
+#include "question/names.hpp"
+
+#include <umbral/record/reflect.hpp>
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::size_t most_told = 2;
+constexpr double most_size = 1e15;  ///< a student's run may have written anything
+
+/// The questions that led to rows of the check's table.
+std::set<std::uint32_t> questions_of(const QuestionLog& log, const std::string& value)
+{
+    std::set<std::uint32_t> questions;
+    if (const auto rows = log.rows.find(value); rows != log.rows.end())
+        for (const std::uint32_t question : rows->second)
+            if (question > 0) questions.insert(question - 1);
+    return questions;
+}
+
+/// Was the same asked in both runs? By what is told of it.
+bool is_same_question(const QuestionLog& one, const QuestionLog& other, std::uint32_t question)
+{
+    const QuestionKind* const a = one.kind_of(question);
+    const QuestionKind* const b = other.kind_of(question);
+    if (a == nullptr || b == nullptr) return false;
+    const auto is_equal = [](double x, double y) { return x == y || (x != x && y != y); };
+    return a->function == b->function && a->features == b->features &&
+           std::ranges::equal(a->questions.at(question), b->questions.at(question), is_equal);
+}
+
+/// "the answer", "its list edges", "its list polygon.positions".
+std::string list_in_words(const std::string& place, const std::vector<std::string>& parameters)
+{
+    if (place.empty()) return "the answer";
+    const bool is_argument = std::isdigit(static_cast<unsigned char>(place.front())) != 0;
+    return "its list " + (is_argument ? in_words(place, parameters) : place);
+}
+
+}
+
+std::string answer_lengths(Worker& worker, const AskedCheck& asked, SpareTime& time)
+{
+    if (!time.is_left()) return "";
+    const double before = worker.run_seconds();
+    const std::uint64_t seed = input_seed(asked, 0);
+    const QuestionLog& log =
+        seed == asked.result.seed ? asked.log : worker.questions(asked.exercise, asked.check.case_name, seed);
+    const std::set<std::uint32_t> questions = questions_of(log, asked.check.value);
+    std::string text;
+    if (log.sized.empty() || questions.empty()) return text;
+    const RunOutcome& run = asked.runs.told(seed);
+    if (run.verdict != Verdict::ok) return text;
+    const QuestionLog told = read_questions(run.recording.tensors);
+    std::size_t count = 0;
+    for (const QuestionKind& right : log.sized) {
+        const auto yours = std::ranges::find(told.sized, right.function, &QuestionKind::function);
+        if (yours == told.sized.end() || yours->features != right.features) continue;
+        for (std::size_t list = 0; list < right.features.size() && count < most_told; ++list) {
+            std::vector<SizePair> calls;
+            for (const auto& [question, sizes] : right.questions) {
+                const auto found = yours->questions.find(question);
+                if (!questions.contains(question) || found == yours->questions.end()) continue;
+                const double size = found->second.at(list);
+                if (!(size >= 0 && size < most_size) || !is_same_question(log, told, question)) continue;
+                calls.push_back({size, sizes.at(list)});
+            }
+            const std::string sentence = sentence_of_sizes(calls);
+            if (sentence.empty()) continue;
+            ++count;
+            text += (text.empty() ? "" : "; ") + std::string(reflect::last_name(right.function)) + ": " +
+                    list_in_words(right.features[list], parameter_names(asked.headers, right.function)) + " " +
+                    sentence;
+        }
+    }
+    time.spend(worker.run_seconds() - before);
+    return text;
+}
+
+}
