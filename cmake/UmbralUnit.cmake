@@ -109,7 +109,7 @@ function(umbral_driver_headers)
     "// Holds the precompiled headers of the drivers.\n")
   add_library(umbral-driver-headers STATIC ${CMAKE_BINARY_DIR}/driver-headers.cpp)
   target_link_libraries(umbral-driver-headers PRIVATE umbral-framework umbral-warnings)
-  umbral_compile_quickly(umbral-driver-headers)
+  umbral_compile_driver(umbral-driver-headers)
   target_precompile_headers(umbral-driver-headers PRIVATE <algorithm> <array> <cmath> <glm/glm.hpp>
     <glm/gtc/matrix_transform.hpp> <numbers> <optional> <span> <string> <umbral/record/ask.hpp>
     <umbral/record/driver.hpp> <vector>)
@@ -176,7 +176,7 @@ function(umbral_add_unit unit)
   target_precompile_headers(driver-${id} REUSE_FROM umbral-driver-headers)
   # g++ 12 finds texts that are put together too long for their place where <string> is precompiled (GCC bug 105651).
   target_compile_options(driver-${id} PRIVATE -Wno-array-bounds -Wno-stringop-overflow)
-  umbral_compile_quickly(driver-${id})
+  umbral_compile_driver(driver-${id})
   set(objects_used)
   foreach(other IN LISTS used)
     umbral_reference_objects(${other} objects)

@@ -96,6 +96,25 @@ void doubt_what_hidden_checks_deny(const std::vector<Explanation>& all, std::vec
             one.confidence = std::min(one.confidence, doubted);
 }
 
+/// Why checks fail, hidden ones among them. Hidden cases ask each work its own questions, so that every mistake must
+/// run for each: where visible checks name a mistake that explains all, and hidden ones agree, no other is tried.
+std::vector<Explanation> explained_by(Worker& worker, const Exercise& exercise, const UnitResult& result,
+                                      const CaseResults& cases, const std::vector<Explanation>& from_seen,
+                                      const std::vector<KnownSolution>& mistakes)
+{
+    std::vector<KnownSolution> named;
+    for (const KnownSolution& mistake : mistakes)
+        if (std::ranges::any_of(from_seen, [&](const Explanation& one) {
+                return one.name == mistake_title(mistake.name) && explains_all(one);
+            }))
+            named.push_back(mistake);
+    if (!named.empty()) {
+        std::vector<Explanation> all = explain_unit(worker, exercise, result, cases, named);
+        if (std::ranges::any_of(all, explains_all)) return all;
+    }
+    return explain_unit(worker, exercise, result, cases, mistakes);
+}
+
 }
 
 std::vector<KnownSolution> explaining_mistakes(const Worker& worker, const Exercise& exercise)
@@ -151,7 +170,6 @@ std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, 
 {
     if (result.score == result.max_score) return {};
     const std::vector<KnownSolution> mistakes = explaining_mistakes(worker, exercise);
-    std::vector<Explanation> all = explain_unit(worker, exercise, result, cases, mistakes);
     Exercise seen = exercise;
     UnitResult seen_result;
     seen.checks.clear();
@@ -164,8 +182,9 @@ std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, 
         seen.checks.push_back(exercise.checks[i]);
         seen_result.checks.push_back(result.checks[i]);
     }
-    if (seen.checks.size() == exercise.checks.size()) return all;
     std::vector<Explanation> found = explain_unit(worker, seen, seen_result, cases, mistakes);
+    if (seen.checks.size() == exercise.checks.size()) return found;
+    std::vector<Explanation> all = explained_by(worker, exercise, result, cases, found, mistakes);
     const std::size_t from_seen = found.size();
     if (fails_hidden) doubt_what_hidden_checks_deny(all, found);
     for (Explanation& one : all) {

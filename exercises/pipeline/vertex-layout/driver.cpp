@@ -23,7 +23,7 @@ void record_layout(Recorder& out, const char* name, const VertexLayout& layout, 
                    there ? std::optional(glm::dvec2(number(layout.places[i].offset), number(layout.places[i].stride)))
                          : std::nullopt);
     }
-    out.append(name, std::optional(glm::dvec2(number(layout.bytes), number(layout.places.size()))));
+    out.append(name, glm::dvec2(number(layout.bytes), number(layout.places.size())));
 }
 
 void record_layouts(Recorder& out, const std::vector<VertexAttribute>& attributes, std::uint64_t vertices)

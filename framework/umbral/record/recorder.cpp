@@ -16,7 +16,7 @@ void add_bytes(Tensor& tensor, const Value& value)
 
 }
 
-// A table is optional from its first row on: `present` then has a byte for each row.
+// From the first optional row on `present` has a byte for each row: those that are no optional rows are there.
 Tensor& Recorder::row(std::string_view name, Element element, std::uint32_t components, bool optional)
 {
     auto found = tensors_.find(name);
@@ -24,15 +24,17 @@ Tensor& Recorder::row(std::string_view name, Element element, std::uint32_t comp
         found = tensors_.emplace(std::string(name), Tensor{element, 0, 1, components, {}, {}}).first;
     } else {
         const Tensor& tensor = found->second;
-        if (tensor.element != element || tensor.components != components || tensor.columns != 1 ||
-            optional == tensor.present.empty())
+        if (tensor.element != element || tensor.components != components || tensor.columns != 1)
             throw std::logic_error("Recorder: '" + std::string(name) +
                                    "' was recorded before with another type or shape");
     }
-    ++found->second.rows;
+    Tensor& table = found->second;
+    if (optional) table.present.resize(table.rows, 1);
+    ++table.rows;
+    if (!optional && !table.present.empty()) table.present.push_back(1);
     if (questions_ != nullptr) questions_->link_row(name);
-    if (progress_ != nullptr) progress_->add_row(name, found->second.rows - 1);
-    return found->second;
+    if (progress_ != nullptr) progress_->add_row(name, table.rows - 1);
+    return table;
 }
 
 void Recorder::append(std::string_view name, float value) { add_bytes(row(name, Element::float32, 1, false), value); }

@@ -54,7 +54,8 @@ public:
         columns(name, std::string(name) + " (0: false; 1: true)");
         append(name, std::int32_t{value});
     }
-    /// A row that may have no value; that is another observation than any number.
+    /// A row that may have no value; that is another observation than any number. Other rows of its table always have
+    /// one.
     void append(std::string_view name, std::optional<float> value);
     void append(std::string_view name, const std::optional<glm::vec2>& value);
     void append(std::string_view name, const std::optional<glm::vec3>& value);
