@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <set>
 
@@ -139,6 +140,25 @@ std::optional<std::string> wrapped(std::span<const double> yours, std::span<cons
     return std::nullopt;
 }
 
+/// Whole numbers written by a machine whose bytes stand the other way round.
+std::optional<std::string> bytes_reversed(std::span<const double> yours, std::span<const double> right)
+{
+    // Of numbers that one byte holds it is a factor.
+    if (std::ranges::none_of(right, [](double b) { return std::abs(b) >= 256; })) return std::nullopt;
+    for (const int bytes : {4, 2}) {
+        const double range = std::ldexp(1, 8 * bytes);
+        const auto bits_of = [range](double x) { return static_cast<std::uint32_t>(x < 0 ? x + range : x); };
+        const bool all = std::ranges::equal(yours, right, [&](double a, double b) {
+            const auto is_held = [range](double x) { return x == std::trunc(x) && x >= -range / 2 && x < range; };
+            if (!is_held(a) || !is_held(b)) return false;
+            const std::uint32_t reversed = __builtin_bswap32(bits_of(b)) >> (32U - 8U * static_cast<unsigned>(bytes));
+            return bits_of(a) == reversed;
+        });
+        if (all) return fmt::format("the right one with its {} bytes in the opposite order", bytes);
+    }
+    return std::nullopt;
+}
+
 }
 
 std::string constant_text(double number, bool remark)
@@ -146,6 +166,8 @@ std::string constant_text(double number, bool remark)
     const double size = std::abs(number);
     const std::string sign = number < 0 ? "-" : "";
     if (!std::isfinite(number) || is_short(number)) return digits_of(number);
+    int power = 0;
+    if (std::frexp(size, &power) == 0.5 && power > 13) return fmt::format("{}2^{}", sign, power - 1);
     const auto* const found =
         std::ranges::find_if(known_constants, [&](const KnownConstant& one) { return is_near(size, one.value); });
     if (found != known_constants.end()) {
@@ -168,6 +190,7 @@ std::optional<AnswerPattern> change_of_numbers(std::span<const double> yours, st
 {
     // Of a single right value anything is true.
     if (yours.empty() || different(right) < 2) return std::nullopt;
+    if (auto words = bytes_reversed(yours, right)) return AnswerPattern{*std::move(words)};
     if (auto found = sum_or_product(yours, right)) return found;
     auto words = wrapped(yours, right);
     if (!words) words = made_whole(yours, right);

@@ -54,6 +54,21 @@ std::string of_number(const std::function<double(double)>& wrong, double most = 
         1, [&](const Asked& one) { return Row{wrong(one.right[0])}; }, most));
 }
 
+TEST(AnswerRelations, know_bytes_that_stand_the_other_way_round)
+{
+    const std::vector<double> right{1, 255, 256, 70'000, 4'294'967'295};
+    const std::vector<double> yours{16'777'216, 4'278'190'080, 65'536, 1'880'162'560, 4'294'967'295};
+    EXPECT_EQ(change_of_numbers(yours, right).value_or(AnswerPattern{}),
+              "the right one with its 4 bytes in the opposite order");
+    EXPECT_EQ(
+        change_of_numbers(std::vector<double>{256, 2, 513}, std::vector<double>{1, 512, 258}).value_or(AnswerPattern{}),
+        "the right one with its 2 bytes in the opposite order");
+    EXPECT_EQ(change_of_numbers(std::vector<double>{16'777'216, 33'554'432}, std::vector<double>{1, 2})
+                  .value_or(AnswerPattern{}),
+              "2^24 times the right one")
+        << "it may as well be a factor";
+}
+
 TEST(AnswerRelations, call_constants_by_their_names)
 {
     constexpr double pi = std::numbers::pi;

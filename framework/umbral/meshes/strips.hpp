@@ -50,7 +50,7 @@ inline constexpr std::uint32_t restart_index = 0xFFFFFFFF;
 /// Any such strips are right: their order, number and beginnings are free. The fewer indices they have altogether, the
 /// better: as many as triangles and two more a strip. The reference grows each strip from a triangle in three
 /// directions, and keeps the longest. Takes time in proportion to vertices plus triangles, but for bad luck with
-/// hashing. Course: "algoritmos para generar las tiras".
+/// hashing or the log n of sorting. Course: "algoritmos para generar las tiras".
 [[nodiscard]] std::vector<Strip> make_strips(const IndexedMesh& mesh);
 
 /// The same strips without a table of vertices: each index is replaced by the position that it names. As many strips as

@@ -15,12 +15,13 @@ namespace umbral::pipeline {
 // bound to GL_ARRAY_BUFFER.
 //
 // What both do: one draw call fills, one draws the edges, each with all of the table in that one call. The edges show
-// on their own fill whether the depth test is on or off, and are hidden by what is nearer. A table may be empty, and
-// may change from call to call.
+// on their own fill whether the depth test is on or off, and are hidden by what is nearer. A table may be empty
+// (then you may return at once), and may change from call to call.
 //
 // What both leave: all state as it was, and no object of OpenGL. (The place that glVertexPointer was told may stay: no
 // array is enabled.) "Changes of state" below are all calls but those that draw, those that ask (glGet...), and those
-// that set the current colour; putting back counts too, and so does each half of glPushAttrib and glPopAttrib.
+// that set the current colour; putting back counts too, and so does each call of glPushAttrib, glPushClientAttrib
+// and their glPop...
 
 /// Draws a convex polygon of one colour, its edges in another: the course's tables for GL_LINE_LOOP, n corners,
 /// anticlockwise.

@@ -60,7 +60,8 @@ public:
     [[nodiscard]] virtual const std::vector<AreaLamp>& lamps() const = 0;
 };
 
-/// A point drawn uniformly over the area of the unit disc: x² + y² <= 1. Successive ones are independent.
+/// A point drawn uniformly over the area of the unit disc: x² + y² <= 1, but for rounding. Successive ones are
+/// independent.
 [[nodiscard]] glm::vec2 disc_point(Random& random);
 
 /// The ray that reaches a place of the picture through a point of the lens, of unit direction.
@@ -74,7 +75,8 @@ public:
 [[nodiscard]] Ray lens_ray(const LensCamera& camera, PictureSize size, glm::vec2 place, glm::vec2 lens);
 
 /// An estimate of how much of a lamp's light a white diffuse surface reflects: the integral over the lamp's points y of
-/// V cos(theta) cos(theta_y) / (pi r²) dy, a number in [0, 1] if nothing is estimated too high.
+/// V cos(theta) cos(theta_y) / (pi r²) dy. That is a number in [0, 1], but an estimate may be above 1: clamping it
+/// would make the mean too small.
 ///
 /// r is the distance of y; theta its angle with `at.normal`, and theta_y the angle between the lamp's normal and the
 /// line back; of each, only positive cosines count. V is 0 if something stands between at `time`, and 1 otherwise. The

@@ -37,8 +37,8 @@ public:
     /// the scene.
     [[nodiscard]] virtual glm::vec3 sky(const glm::vec3& direction) const = 0;
 
-    /// The lamps, perhaps none. They are surfaces of the scene too: rays hit them, and find their light in `emitted`.
-    /// Other surfaces may shine as well, and are not listed here.
+    /// The lamps, perhaps none. They are surfaces of the scene too: rays hit them, and `emitted` is their `radiance` on
+    /// the bright side, and 0 behind. Other surfaces may shine as well, and are not listed here.
     [[nodiscard]] virtual const std::vector<AreaLamp>& lamps() const = 0;
 };
 
@@ -63,7 +63,7 @@ inline constexpr int all_bounces = std::numeric_limits<int>::max();
 /// Counted is the light of surfaces and sky that was reflected at most `bounces` times (>= 0) on its way: with 0 what
 /// shines by itself, with 1 also what that light makes of other surfaces, and so on; with all_bounces everything.
 /// **Unbiased**: its expectation is exactly that radiance, whatever `samples` is. How directions are chosen, and how
-/// paths end, is free. Paths end with certainty where the albedo is below 1, or where rays leave the scene.
+/// paths end, is free. With all_bounces, albedos are below 1 or rays leave the scene, so that paths can end.
 ///
 /// All random numbers come from `random`, so that a seed gives the same picture again; how many are drawn is free, and
 /// calls keep nothing for the next one. Course: path tracing (Kajiya 1986).

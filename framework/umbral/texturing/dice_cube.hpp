@@ -21,7 +21,7 @@ struct TexturedCube {
 ///
 ///             0    1/4   1/2   3/4    1
 ///          1  .     .     +-----+     .        . a corner of the grid that no face touches
-///                         |  3  |              (three of the four above, three of the four below)
+///                         |  3  |              (three of the five above, three of the five below)
 ///        2/3  +-----+-----+-----+-----+
 ///             |  6  |  5  |  1  |  2  |
 ///        1/3  +-----+-----+-----+-----+

@@ -28,9 +28,9 @@ struct BoxPlace {
 ///     b        y      y    z    -z       y     y        (upwards)
 ///
 /// Top and bottom are as one sees them who looks to the front, -z, and then raises or lowers the head. For directions
-/// of any length that a float can have, subnormal ones too. Of two coordinates that differ by less than a part in 2^19
-/// rounding may choose. Guarantee of the reference, here and below where no other is given: within 1.2e-7. Course:
-/// slide F34.
+/// of any length that a float can have, subnormal ones too. Of two absolute values that differ, but by less than a part
+/// in 2^19, rounding may choose; of equal ones it may not. Guarantee of the reference, here and below where no other is
+/// given: within 1.2e-7. Course: slide F34.
 [[nodiscard]] BoxPlace box_place(const glm::vec3& direction);
 
 /// The direction that box_place takes there, on the box: its largest coordinate is 1 or -1.

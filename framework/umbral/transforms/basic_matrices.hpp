@@ -25,7 +25,8 @@ namespace umbral::transforms {
 [[nodiscard]] glm::mat4 rotation_about_y(float angle);
 [[nodiscard]] glm::mat4 rotation_about_z(float angle);
 
-/// What the matrix makes of a point (w = 1) and of a free vector (w = 0). The sums' terms are floats, none beyond 1e36.
+/// What the matrix makes of a point (w = 1) and of a free vector (w = 0). Each product in the sums fits into a float:
+/// none is beyond 1e36.
 [[nodiscard]] glm::vec3 transform_point(const glm::mat4& matrix, const glm::vec3& point);
 [[nodiscard]] glm::vec3 transform_vector(const glm::mat4& matrix, const glm::vec3& vector);
 

@@ -64,7 +64,7 @@ public:
 /// Throws CycleError if a node that can be reached from the root contains itself, with the nodes of one cycle;
 /// std::out_of_range if the root, or an entry of such a node, is a place outside its list; TooManyInstances if there
 /// are more than `limit`. What cannot be reached from the root is not looked at. Time grows with the entries and with
-/// the instances, not with the number of ways: sixty nodes can make 2^60 ways, and none of them need lead to an object.
+/// the instances, not with the number of ways: sixty nodes can make 2^59 ways, and none of them need lead to an object.
 /// Course: NodoGrafoEscena::visualizarGL; "instanciaciones en el grafo".
 [[nodiscard]] std::vector<Instance> expand(const SceneGraph& graph, std::size_t limit);
 
