@@ -58,6 +58,10 @@ std::string answer_lengths(Worker& worker, const AskedCheck& asked, SpareTime& t
     const std::set<std::uint32_t> questions = questions_of(log, asked.check.value);
     std::string text;
     if (log.sized.empty() || questions.empty()) return text;
+    std::set<std::uint32_t> wrong;
+    for (const AskedAnswer& one : asked_answers(worker, asked, seed).all)
+        if (one.answer.wrong) wrong.insert(one.question);
+    const auto is_wrong = [&](std::uint32_t question) { return wrong.contains(question); };
     const RunOutcome& run = asked.runs.told(seed);
     if (run.verdict != Verdict::ok) return text;
     const QuestionLog told = read_questions(run.recording.tensors);
@@ -67,13 +71,18 @@ std::string answer_lengths(Worker& worker, const AskedCheck& asked, SpareTime& t
         if (yours == told.sized.end() || yours->features != right.features) continue;
         for (std::size_t list = 0; list < right.features.size() && count < most_told; ++list) {
             std::vector<SizePair> calls;
+            bool says_why = true;
             for (const auto& [question, sizes] : right.questions) {
                 const auto found = yours->questions.find(question);
                 if (!questions.contains(question) || found == yours->questions.end()) continue;
                 const double size = found->second.at(list);
                 if (!(size >= 0 && size < most_size) || !is_same_question(log, told, question)) continue;
                 calls.push_back({size, sizes.at(list)});
+                // What is right with another length may have any; and where what has the right length is wrong, too,
+                // lengths are not the reason.
+                says_why = says_why && (size != sizes.at(list)) == is_wrong(question);
             }
+            if (!says_why) continue;
             const std::string sentence = sentence_of_sizes(calls);
             if (sentence.empty()) continue;
             ++count;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "explain/some_rows.hpp"
+#include "explain/value_in_list.hpp"
 #include "judge/explain/resemblances.hpp"
 #include "judge/judges.hpp"
 #include "judge/rows/columns.hpp"
@@ -120,6 +121,16 @@ WrongGroup wrong_group(const Check& check, std::uint32_t question, const RowsOfQ
     if (!judgement.first_difference) return {question};
     Difference first = *judgement.first_difference;
     first.others.clear();
+    // That a row stands elsewhere in its list does not mean that it is not there.
+    if (const std::size_t keys = judge_of(check).keys; keys > 1)
+        if (auto apart = first_value_apart(yours, expected, keys)) {
+            const std::string came = apart->yours == "nothing" ? "nothing came" : apart->yours + " came instead";
+            std::string words = apart->expected == "nothing"
+                                    ? fmt::format("one call: {} came, and is not expected of this call", apart->yours)
+                                    : fmt::format("one call: expected {}, {}", apart->expected, came);
+            if (apart->cell) apart->cell = rows.expected.at(*apart->cell);
+            return {question, std::move(apart), std::move(words)};
+        }
     const bool is_expected = first.cell && *first.cell < rows.expected.size();
     first.cell = is_expected ? std::optional(rows.expected[*first.cell]) : std::nullopt;
     const std::string where = is_expected ? fmt::format("row {}", *first.cell) : "one call";

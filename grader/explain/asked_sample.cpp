@@ -145,6 +145,34 @@ ToldSample by_question(QuestionTable table, const AnswersOfKind& answers)
     return told_of(std::move(table), std::move(wrong));
 }
 
+/// AskedSample::lists; `like` says what a row is.
+AnswerTable lists_of(const AnswersOfKind& answers, const AnswerTable& like)
+{
+    AnswerTable lists = like;
+    lists.answers.clear();
+    std::map<std::uint32_t, AnswerPair> all;
+    for (const AskedAnswer* const one : answers.some) {
+        if (!one->row || one->answer.refused) return lists;
+        AnswerPair& list = all[one->question];
+        std::ranges::copy(one->answer.yours, std::back_inserter(list.yours));
+        std::ranges::copy(one->answer.expected, std::back_inserter(list.expected));
+        list.wrong = list.wrong || one->answer.wrong;
+    }
+    const bool is_counted = like.components == 1 && std::ranges::all_of(all, [](const auto& one) {
+                                const AnswerPair& list = one.second;
+                                return !list.yours.empty() && !list.expected.empty() &&
+                                       list.expected.front() + 1 == static_cast<double>(list.expected.size());
+                            });
+    for (auto& [question, list] : all) {
+        if (is_counted) {
+            list.yours.erase(list.yours.begin());
+            list.expected.erase(list.expected.begin());
+        }
+        lists.answers.push_back(std::move(list));
+    }
+    return lists;
+}
+
 bool are_alike(const std::vector<Fact>& some, const std::vector<Fact>& others)
 {
     return std::ranges::equal(some, others, {}, &Fact::words, &Fact::words);
@@ -173,7 +201,11 @@ AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t 
     std::map<const QuestionKind*, std::vector<const AskedAnswer*>> by_kind;
     for (const AskedAnswer& one : answers.all) by_kind[log.kind_of(one.question)].push_back(&one);
     AskedSample result;
-    const auto most = std::ranges::max_element(by_kind, {}, [](const auto& one) { return one.second.size(); });
+    // Of those that are asked the same, the one that is answered wrong is to be looked at.
+    const auto most = std::ranges::max_element(by_kind, {}, [](const auto& one) {
+        const auto wrong = std::ranges::count_if(one.second, [](const auto* answer) { return answer->answer.wrong; });
+        return std::pair(wrong, one.second.size());
+    });
     if (most == by_kind.end()) return result;
     auto& [kind, some] = *most;
     for (const auto& [other, of_other] : by_kind)
@@ -195,6 +227,7 @@ AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t 
     result.answers.facts = result.by_answer.facts;
     result.by_question = by_question(table, of_kind);
     result.answers.several = !result.by_question.numbers.empty();
+    if (result.answers.several) result.lists = lists_of(of_kind, result.answers);
     if (result.answers.several)
         result.by_answer = by_answer(
             no_questions(answers), of_kind,
@@ -211,6 +244,7 @@ bool add(AskedSample& sample, const AskedSample& other)
         are_alike(sample.by_question.facts, other.by_question.facts);
     if (!alike) return false;
     std::ranges::copy(other.answers.answers, std::back_inserter(sample.answers.answers));
+    std::ranges::copy(other.lists.answers, std::back_inserter(sample.lists.answers));
     std::ranges::copy(other.others_wrong, std::back_inserter(sample.others_wrong));
     sample.questions.insert(other.questions.begin(), other.questions.end());
     add_facts(sample.answers.facts, other.answers.facts);

@@ -25,10 +25,13 @@ struct ToldSample {
     std::vector<bool> wrong{};
 };
 
-/// A check's answers whose questions are of one kind, the kind that most have.
+/// A check's answers whose questions are of one kind, the kind that most wrong ones have.
 struct AskedSample {
     std::string function{};  ///< that was asked; empty if that is not known
     AnswerTable answers{};
+    /// Where a question has several answers, which are compared one by one: these together, as one list each. A first
+    /// row that only counts the others is not in it.
+    AnswerTable lists{};
     std::set<std::vector<double>> questions{};  ///< the numbers of all
     /// Each answer by itself, in the same order, with its question's numbers and the right answer's. Where a question
     /// has several answers, they tell no more of it than one would: then without the question's, but with the answer's

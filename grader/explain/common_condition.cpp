@@ -8,6 +8,7 @@
 #include "explain/other_cases.hpp"
 #include "explain/samples.hpp"
 #include "question/conditions.hpp"
+#include "question/list_patterns.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -135,6 +136,8 @@ std::optional<CommonCondition> condition_of(OtherCases& others, Samples& samples
     if (seen.numbers.empty()) return std::nullopt;
     std::optional<Condition> condition = simplest_condition(seen.facts, seen.wrong);
     if (!condition) return std::nullopt;
+    // A first row is often a number of rows, and another thing than those behind it.
+    if (condition->words == std::string(place_in_call) + " is not the first") return std::nullopt;
     // Each of so many numbers may be the reason, or none.
     if (condition->also_told_by.size() >= many_others) return std::nullopt;
     // That one of the many entries of a right matrix is 0 follows from much else.
@@ -181,6 +184,21 @@ AnswerTable named_as(const AnswerTable& named, AnswerTable answers)
     return answers;
 }
 
+/// What all wrong answers share, and the lists that they are together; numbers are called as in `named`.
+std::vector<AnswerPattern> patterns_of(const AskedSample& sample, const AskedSample& named)
+{
+    std::vector<AnswerPattern> found = answer_patterns(named_as(named.answers, sample.answers));
+    std::vector<const AnswerPair*> lists;
+    for (const AnswerPair& one : sample.lists.answers)
+        if (one.wrong) lists.push_back(&one);
+    if (lists.size() < least_wrong) return found;
+    // What a list is says more than what its rows are, one by one.
+    std::vector<AnswerPattern> of_lists;
+    for (std::string& words : list_patterns(sample.lists, lists)) of_lists.push_back({std::move(words)});
+    found.insert(found.begin(), of_lists.begin(), of_lists.end());
+    return found;
+}
+
 /// Keeps the patterns that many wrong answers of other cases have, too: what is so in one case only may come of its
 /// inputs.
 void keep_shared(OtherCases& others, const AskedSample& here, std::vector<AnswerPattern>& patterns)
@@ -192,7 +210,7 @@ void keep_shared(OtherCases& others, const AskedSample& here, std::vector<Answer
             return true;
         // What overflows, or is not there, says nothing of what numbers are.
         if (are_comparable(here.answers) && !are_comparable(sample.answers)) return true;
-        const std::vector<AnswerPattern> there = answer_patterns(named_as(here.answers, sample.answers));
+        const std::vector<AnswerPattern> there = patterns_of(sample, here);
         std::erase_if(patterns, [&](const AnswerPattern& one) { return std::ranges::find(there, one) == there.end(); });
         return ++tried < most_denying && !patterns.empty();
     });
@@ -215,7 +233,7 @@ void keep_of_all_kinds(const AskedSample& seen, std::vector<AnswerPattern>& patt
 /// other cases.
 AnswerPattern common_answer(OtherCases& others, Samples& samples)
 {
-    std::vector<AnswerPattern> patterns = answer_patterns(samples.seen().answers);
+    std::vector<AnswerPattern> patterns = patterns_of(samples.seen(), samples.seen());
     keep_of_all_kinds(samples.seen(), patterns);
     std::size_t wrong = wrong_in(samples.seen().answers);
     const bool fixed = !patterns.empty() && samples.is_fixed();
@@ -229,7 +247,7 @@ AnswerPattern common_answer(OtherCases& others, Samples& samples)
             pending = std::move(fresh);
             continue;
         }
-        const std::vector<AnswerPattern> again = answer_patterns(fresh.answers);
+        const std::vector<AnswerPattern> again = patterns_of(fresh, fresh);
         std::erase_if(patterns, [&](const AnswerPattern& one) { return std::ranges::find(again, one) == again.end(); });
         wrong += wrong_in(fresh.answers);
         if (++confirmed >= least_confirmed && (fixed || wrong >= enough_answers)) break;
@@ -289,7 +307,7 @@ std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const Comm
 std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const std::string& pattern, std::uint64_t seed)
 {
     const AskedSample fresh = asked_sample(worker, asked, seed);
-    const std::vector<AnswerPattern> found = answer_patterns(fresh.answers);
+    const std::vector<AnswerPattern> found = patterns_of(fresh, fresh);
     if (found.empty() && wrong_in(fresh.answers) < least_wrong) return std::nullopt;
     return std::ranges::find(found, pattern, &AnswerPattern::words) != found.end();
 }

@@ -19,6 +19,7 @@
 #include "explain/rows_alone.hpp"
 #include "explain/simplest_question.hpp"
 #include "explain/wrong_dependence.hpp"
+#include "explain/wrong_function.hpp"
 #include "judge/judges.hpp"
 #include "question/log.hpp"
 #include "report/failing_order.hpp"
@@ -130,6 +131,11 @@ public:
             alone ? AnswerPattern{right_alone_of(exercise_)} : sentence_of(find_in_common(worker_, asked, patterns));
         if (shared.words.empty()) shared.words = rows_alone(worker_, asked, patterns);
         if (!alone) add_part(shared.words, answer_lengths(worker_, asked, patterns));
+        if (!alone && patterns.is_left()) {
+            std::string function = wrong_function(worker_, asked);
+            add_part(function, shared.words);
+            shared.words = std::move(function);
+        }
         result.told_by_question = shared.of_question;
         (one_.hidden ? result.practice : result.common) = std::move(shared.words);
         if (!one_.hidden) result.common_tells = shared.tells;

@@ -184,8 +184,10 @@ public:
 private:
     [[nodiscard]] std::string word(const MovedPlace& one) const
     {
-        std::string text =
-            (one.is_length ? "the length of " : "") + in_words(one.place, parameter_names(headers_, one.function));
+        std::string text = (one.is_length  ? "the length of "
+                            : one.is_order ? "the order of "
+                                           : "") +
+                           in_words(one.place, parameter_names(headers_, one.function));
         if (one.function != function_) text += " of " + std::string(reflect::last_name(one.function));
         return text;
     }

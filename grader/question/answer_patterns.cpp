@@ -189,7 +189,8 @@ void add_side(const AnswerTable& table, const Pairs& wrong, const std::vector<st
         found.push_back({fmt::format("is {} in each number that differs", *side), CommonTells::side});
 }
 
-/// "differs in other numbers than y", of three numbers or more that have names, where y is not the same everywhere.
+/// "differs in other numbers than y", of three numbers or more that have names, where y is not the same everywhere. Not
+/// of whole ones: of indices that begin with the smallest the first is right by itself.
 std::string all_but_one(const AnswerTable& table, const Pairs& wrong, const std::vector<std::size_t>& which,
                         const std::vector<std::string>& columns)
 {
@@ -201,6 +202,9 @@ std::string all_but_one(const AnswerTable& table, const Pairs& wrong, const std:
     if (right == table.components || which.front() < table.keys) return {};
     const NumberPairs same = numbers_in(wrong, table.components, {right});
     if (std::set(same.right.begin(), same.right.end()).size() < least_values) return {};
+    if (std::ranges::all_of(numbers_in(wrong, table.components, which).right,
+                            [](double x) { return x == std::trunc(x); }))
+        return {};
     return "differs in other numbers than " + columns[right];
 }
 

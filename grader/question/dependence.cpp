@@ -105,8 +105,9 @@ MovedPlace place_of(const OtherQuestion& move)
     std::string_view what = std::string_view(move.change).substr(moved.size());
     if (what.starts_with(' ')) what.remove_prefix(1);
     const bool is_length = what == "length";
-    if (what == "direction" || is_length) what = {};
-    return {move.function, move.place + std::string(what), is_length};
+    const bool is_order = what == "order";
+    if (what == "direction" || is_length || is_order) what = {};
+    return {move.function, move.place + std::string(what), is_length, is_order};
 }
 
 /// The vector that a component is one of; nothing if it is none.
@@ -145,10 +146,44 @@ std::vector<MovedPlace> told(std::set<MovedPlace> places)
     return {places.begin(), places.end()};
 }
 
+/// Do most moves that leave a number on both sides make this wrong answer the right one?
+bool is_single_place(const AnswersToMoves& answers, std::size_t row)
+{
+    std::size_t seen = 0;
+    std::size_t made_right = 0;
+    for (const MovedAnswers& moved : answers.moved) {
+        if (moved.yours.size() != answers.yours.size() || moved.right.size() != answers.right.size()) continue;
+        const auto yours = row_of(moved.yours, row, answers.components);
+        const auto right = row_of(moved.right, row, answers.components);
+        if (!are_finite(yours) || !are_finite(right)) continue;
+        ++seen;
+        made_right += alike_rows(yours, right) ? 1 : 0;
+    }
+    return 2 * made_right > seen;
 }
 
-std::vector<Dependence> dependences(const AnswersToMoves& answers)
+AnswersToMoves without_single_places(AnswersToMoves answers)
 {
+    std::vector<std::size_t> wrong;
+    std::vector<std::size_t> ends;
+    std::size_t at = 0;
+    const std::vector<std::size_t> all_ends =
+        answers.ends.empty() ? std::vector{answers.wrong.size()} : std::move(answers.ends);
+    for (const std::size_t end : all_ends) {
+        for (; at < end; ++at)
+            if (!is_single_place(answers, answers.wrong[at])) wrong.push_back(answers.wrong[at]);
+        ends.push_back(wrong.size());
+    }
+    answers.wrong = std::move(wrong);
+    answers.ends = std::move(ends);
+    return answers;
+}
+
+}
+
+std::vector<Dependence> dependences(const AnswersToMoves& asked)
+{
+    const AnswersToMoves answers = without_single_places(asked);
     std::vector<Dependence> all;
     std::vector<std::vector<Reactions>> reactions;
     for (const MovedAnswers& moved : answers.moved) reactions.push_back(reactions_to(moved, answers));

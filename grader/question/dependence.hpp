@@ -31,6 +31,7 @@ struct MovedPlace {
     std::string function;
     std::string place;       ///< as in OtherQuestion, with what is moved of it behind: "1.axis", "0.size.x"
     bool is_length = false;  ///< only the length of the vector there
+    bool is_order = false;   ///< only the order of the list there
 
     friend auto operator<=>(const MovedPlace&, const MovedPlace&) = default;
 };
@@ -44,6 +45,9 @@ struct Dependence {
     friend bool operator==(const Dependence&, const Dependence&) = default;
 };
 
+/// Of wrong answers to which most moves give the right ones nothing is said: these are wrong in one place only, as
+/// where two numbers are equal.
+///
 /// Numbers of wrong answers of which most change with an argument, in each set of inputs, that no right one changes
 /// with there, or the reverse. Said of few places only: an answer that changes with nothing is constant, and one that
 /// changes with everything is of another kind.

@@ -227,7 +227,8 @@ void add_others(Block& block, const UnitResult& unit, const std::vector<const Ch
 {
     std::string others;
     for (std::size_t i = 1; i < failing.size(); ++i)
-        others += fmt::format("{}{}", i == 1 ? "" : ", ", failing[i]->name);
+        // What is right by itself needs no mending.
+        if (!failing[i]->held_back) others += fmt::format("{}{}", others.empty() ? "" : ", ", failing[i]->name);
     if (!others.empty()) block.sentence("also", others + " not right yet");
     std::vector<const CheckResult*> hidden;
     for (const CheckResult& check : unit.checks)

@@ -244,13 +244,14 @@ TEST_F(QuestionsOfGrids, a_question_is_wrong_if_one_of_its_answers_is)
     const std::string headers = interface_text(worker, exercise);
     const AskedCheck asked{exercise, fine, runs, one, worker.questions(exercise, fine.case_name, one.seed), headers};
     const AskedSample sample = asked_sample(worker, asked, one.seed);
-    EXPECT_EQ(sample.by_question.names, (std::vector<std::string>{"columns", "rows"}));
+    EXPECT_EQ(sample.by_question.names, (std::vector<std::string>{"columns", "rows", "there being a right answer"}));
     // Grids of one row, and of one column, in turn.
     ASSERT_EQ(sample.by_question.numbers.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(sample.by_question.numbers[i][i % 2 == 0 ? 1 : 0], 1);
     EXPECT_EQ(sample.by_question.wrong, (std::vector<bool>{false, true, false, true}));
     EXPECT_EQ(sample.by_answer.wrong.size(), 800U);
-    EXPECT_EQ(sample.by_answer.names.size(), 4U) << "the right answer's, and its place among those of the call";
+    EXPECT_EQ(sample.by_answer.names.size(), 5U)
+        << "the right answer's, whether there is one, and its place among those of the call";
     EXPECT_EQ(sample.by_answer.numbers.front().front(), 1) << "the first";
     EXPECT_EQ(sample.by_answer.numbers.back().front(), 2) << "the last";
 }

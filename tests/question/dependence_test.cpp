@@ -114,6 +114,32 @@ TEST(Dependence, nothing_is_said_of_what_does_not_change_or_changes_with_all)
     EXPECT_TRUE(dependences(answers([](const Asked&) { return std::vector{std::nan("")}; }, right)).empty());
 }
 
+// At the jump all that is moved leads away from it.
+TEST(Dependence, nothing_is_said_of_what_is_wrong_in_single_places_only)
+{
+    const auto jump = [](double limit) {
+        return [limit](const Asked& a) { return std::vector{a.left == limit ? a.top : a.left * a.size}; };
+    };
+    AnswersToMoves all = answers(jump(1), jump(-1));
+    all.wrong = {0, 0, 0};
+    EXPECT_TRUE(dependences(all).empty());
+    const Answer everywhere = [](const Asked& a) { return std::vector{a.top}; };
+    all = answers(everywhere, jump(-1));
+    all.wrong = {0, 0, 0};
+    EXPECT_FALSE(dependences(all).empty()) << "wrong as well where it is moved to";
+}
+
+TEST(Dependence, the_order_of_a_list_is_called_so)
+{
+    AnswersToMoves all =
+        answers([](const Asked& a) { return std::vector{a.left}; }, [](const Asked& a) { return std::vector{a.top}; });
+    all.moved.push_back({{"f", "3", "moved order", ""}, all.yours, all.right});
+    for (double& number : all.moved.back().yours) number *= 2;
+    const auto found = dependences(all);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found.front().wrongly, (std::vector<MovedPlace>{left, {"f", "3", false, true}}));
+}
+
 // Where the one set of inputs has all numbers of a kind, what it shows is that kind's.
 TEST(Dependence, each_set_of_inputs_must_show_it)
 {

@@ -62,13 +62,16 @@ TEST(Moves, of_matrices_change_an_entry_or_turn_the_whole)
     EXPECT_NEAR(glm::length(turned[0]), 1, 1e-6);
 }
 
-TEST(Moves, of_lists_change_an_element)
+TEST(Moves, of_lists_change_an_element_or_the_order)
 {
     using List = std::vector<glm::vec2>;
     const auto of = moved(List{{16, 32}, {0, 64}});
     EXPECT_EQ(of.at("moved [1]"), (List{{16, 32}, {1.0F / 16, 68}}));
     EXPECT_EQ(of.at("moved [5]"), (List{{16, 32}, {0, 64}})) << "there is none";
-    EXPECT_TRUE(moved(std::vector<int>{1}).empty()) << "numbers of other things";
+    EXPECT_EQ(of.at("moved order"), (List{{0, 64}, {16, 32}}));
+    const auto numbers = moved(std::vector<int>{1, 2, 3});
+    EXPECT_EQ(numbers.size(), 1U) << "numbers of other things";
+    EXPECT_EQ(numbers.at("moved order"), (std::vector<int>{3, 2, 1}));
 }
 
 }

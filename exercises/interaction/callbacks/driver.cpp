@@ -101,7 +101,6 @@ void record(Recorder& out, const input::EventScript& script, glm::ivec2 size,
     play(script, settings, size, begin, after_wait);
     std::size_t next = 0;
     for (const Moment& moment : moments) {
-        if (next == moment.rows) continue;
         ask_in_words(out, [&] {
             return told(script, size, settings, listens, moment.time, out.questions()->inquiry().in_full);
         });

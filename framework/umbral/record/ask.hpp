@@ -117,9 +117,11 @@ template <class Result, class... Kept, class Call>
 Result answered(Questions& questions, std::string_view function, const std::tuple<Kept...>& arguments, const Call& call)
 {
     constexpr bool can_be_looked_at = std::is_object_v<Result> && std::is_move_constructible_v<Result>;
+    const bool is_wanted = questions.inquiry().questions;
+    const Features before = is_wanted ? sizes_of_arguments(arguments, false) : Features{};
     const auto take_down = [&](const auto* result) {
-        if (!questions.inquiry().questions) return;
-        questions.set_sizes(function, sizes_of(result, arguments, !questions.knows_sizes(function)));
+        if (is_wanted)
+            questions.set_sizes(function, sizes_of(result, arguments, before, !questions.knows_sizes(function)));
     };
     if constexpr (can_be_looked_at) {
         Result result = call();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -8,7 +9,7 @@
 
 /// Small changes of an argument, by which it shows what an answer depends on: whoever uses it answers otherwise.
 /// A name says what of the argument is moved: "moved" all of it, "moved .x" its x, "moved [2]" an element, "moved
-/// length" and "moved direction" nothing else of a vector.
+/// length" and "moved direction" nothing else of a vector, "moved order" nothing else of a list.
 namespace umbral::detail {
 
 /// By a sixteenth: more than rounding, and hardly out of the range that a unit allows. Nothing becomes 0.
@@ -129,14 +130,28 @@ constexpr Change element_moved(std::string_view name)
     });
 }
 
-/// Places and directions; lists of whole numbers say which element of another list is meant.
+/// The elements in reverse order: of lights, say, it is no matter which comes first. What whole numbers in lists mean
+/// is not known.
+template <class Element>
+struct MovesOf<std::vector<Element>> {
+    using List = std::vector<Element>;
+    static constexpr std::array all{
+        change<List>("moved order", [](List& list) { std::reverse(list.begin(), list.end()); })};
+};
+
+/// Of places and directions each of the first by itself, too.
 template <class Element>
 requires(literal::detail::is_vector<Element>&&
              std::is_floating_point_v<typename Element::value_type>) struct MovesOf<std::vector<Element>> {
     using List = std::vector<Element>;
     static constexpr std::array all{
-        element_moved<List, 0>("moved [0]"), element_moved<List, 1>("moved [1]"), element_moved<List, 2>("moved [2]"),
-        element_moved<List, 3>("moved [3]"), element_moved<List, 4>("moved [4]"), element_moved<List, 5>("moved [5]"),
+        change<List>("moved order", [](List& list) { std::reverse(list.begin(), list.end()); }),
+        element_moved<List, 0>("moved [0]"),
+        element_moved<List, 1>("moved [1]"),
+        element_moved<List, 2>("moved [2]"),
+        element_moved<List, 3>("moved [3]"),
+        element_moved<List, 4>("moved [4]"),
+        element_moved<List, 5>("moved [5]"),
     };
 };
 

@@ -1,0 +1,64 @@
+#include "explain/wrong_function.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "explain/samples.hpp"
+
+#include <umbral/record/reflect.hpp>
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::size_t least_right = 4;  ///< answers of the other functions: of fewer it may be chance
+constexpr std::size_t most_others_named = 3;
+
+struct Count {
+    std::size_t wrong = 0;
+    std::size_t all = 0;
+};
+
+/// "a, b and c", "a, b, c and 4 others".
+std::string names_in_a_row(const std::vector<std::string>& names)
+{
+    const std::size_t shown = std::min(names.size(), most_others_named);
+    const std::size_t others = names.size() - shown;
+    std::string text;
+    for (std::size_t i = 0; i < shown; ++i)
+        text += (i == 0 ? "" : i + 1 == shown && others == 0 ? " and " : ", ") + names[i];
+    return others == 0 ? text : fmt::format("{} and {} other{}", text, others, others == 1 ? "" : "s");
+}
+
+}
+
+std::string wrong_function(Worker& worker, const AskedCheck& asked)
+{
+    const std::uint64_t seed = input_seed(asked, 0);
+    const QuestionLog& log =
+        seed == asked.result.seed ? asked.log : worker.questions(asked.exercise, asked.check.case_name, seed);
+    std::map<std::string, Count> functions;
+    for (const AskedAnswer& one : asked_answers(worker, asked, seed).all) {
+        const QuestionKind* const kind = log.kind_of(one.question);
+        if (kind == nullptr) return "";
+        Count& count = functions[kind->function];
+        ++count.all;
+        count.wrong += one.answer.wrong ? 1 : 0;
+    }
+    const auto is_wrong = [](const auto& one) { return one.second.wrong > 0; };
+    if (functions.size() < 2 || std::ranges::count_if(functions, is_wrong) != 1) return "";
+    const auto& [function, count] = *std::ranges::find_if(functions, is_wrong);
+    std::vector<std::string> others;
+    std::size_t right = 0;
+    for (const auto& [name, other] : functions) {
+        if (name == function) continue;
+        others.emplace_back(reflect::last_name(name));
+        right += other.all;
+    }
+    if (right < least_right) return "";
+    return fmt::format("only answers of {} are wrong ({} of {}), none of {} ({})", reflect::last_name(function),
+                       count.wrong, count.all, names_in_a_row(others), right);
+}
+
+}
