@@ -189,8 +189,21 @@ void add_side(const AnswerTable& table, const Pairs& wrong, const std::vector<st
         found.push_back({fmt::format("is {} in each number that differs", *side), CommonTells::side});
 }
 
+/// Is this number the least of each wrong row, on both sides?
+bool is_least_in_rows(const AnswerTable& table, const Pairs& wrong, std::size_t number)
+{
+    const auto is_least = [&](const std::vector<double>& rows) {
+        for (std::size_t at = 0; at + table.components <= rows.size(); at += table.components)
+            for (std::size_t i = table.keys; i < table.components; ++i)
+                if (rows[at + i] < rows[at + number]) return false;
+        return true;
+    };
+    return std::ranges::all_of(wrong,
+                               [&](const AnswerPair* one) { return is_least(one->yours) && is_least(one->expected); });
+}
+
 /// "differs in other numbers than y", of three numbers or more that have names, where y is not the same everywhere. Not
-/// of whole ones: of indices that begin with the smallest the first is right by itself.
+/// where it is the least: of indices that begin with the smallest the first is right by itself.
 std::string all_but_one(const AnswerTable& table, const Pairs& wrong, const std::vector<std::size_t>& which,
                         const std::vector<std::string>& columns)
 {
@@ -202,9 +215,7 @@ std::string all_but_one(const AnswerTable& table, const Pairs& wrong, const std:
     if (right == table.components || which.front() < table.keys) return {};
     const NumberPairs same = numbers_in(wrong, table.components, {right});
     if (std::set(same.right.begin(), same.right.end()).size() < least_values) return {};
-    if (std::ranges::all_of(numbers_in(wrong, table.components, which).right,
-                            [](double x) { return x == std::trunc(x); }))
-        return {};
+    if (is_least_in_rows(table, wrong, right)) return {};
     return "differs in other numbers than " + columns[right];
 }
 

@@ -9,6 +9,8 @@
 
 #include "question/alike.hpp"
 
+#include <umbral/record/not_finite.hpp>
+
 namespace umbral::grader {
 namespace {
 
@@ -54,12 +56,13 @@ std::span<const double> row_of(const std::vector<double>& table, std::size_t row
     return std::span(table).subspan(row * components, components);
 }
 
+/// What a driver records for infinity (record/not_finite.hpp) is none: beside it all changes would be rounding.
 bool are_finite(std::span<const double> numbers)
 {
-    return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
+    return std::ranges::all_of(numbers, [](double x) { return std::isfinite(recorded_number(x)); });
 }
 
-/// For each number of the answers, over wrong rows that have numbers before and after on both sides.
+/// For each number of the answers, over wrong rows that have numbers before and after on both sides, and remain wrong.
 std::vector<Reactions> reactions_to(const MovedAnswers& moved, const AnswersToMoves& answers,
                                     std::span<const std::size_t> rows)
 {
@@ -70,6 +73,8 @@ std::vector<Reactions> reactions_to(const MovedAnswers& moved, const AnswersToMo
         const auto yours_moved = row_of(moved.yours, row, answers.components);
         const auto right_moved = row_of(moved.right, row, answers.components);
         if (!are_finite(yours) || !are_finite(right) || !are_finite(yours_moved) || !are_finite(right_moved)) continue;
+        // What is wrong in this place only changes because it becomes right.
+        if (alike_rows(yours_moved, right_moved)) continue;
         const double size_of_yours = std::max(size_of(yours), size_of(yours_moved));
         const double size_of_right = std::max(size_of(right), size_of(right_moved));
         for (std::size_t i = 0; i < answers.components; ++i) {
@@ -146,44 +151,10 @@ std::vector<MovedPlace> told(std::set<MovedPlace> places)
     return {places.begin(), places.end()};
 }
 
-/// Do most moves that leave a number on both sides make this wrong answer the right one?
-bool is_single_place(const AnswersToMoves& answers, std::size_t row)
-{
-    std::size_t seen = 0;
-    std::size_t made_right = 0;
-    for (const MovedAnswers& moved : answers.moved) {
-        if (moved.yours.size() != answers.yours.size() || moved.right.size() != answers.right.size()) continue;
-        const auto yours = row_of(moved.yours, row, answers.components);
-        const auto right = row_of(moved.right, row, answers.components);
-        if (!are_finite(yours) || !are_finite(right)) continue;
-        ++seen;
-        made_right += alike_rows(yours, right) ? 1 : 0;
-    }
-    return 2 * made_right > seen;
 }
 
-AnswersToMoves without_single_places(AnswersToMoves answers)
+std::vector<Dependence> dependences(const AnswersToMoves& answers)
 {
-    std::vector<std::size_t> wrong;
-    std::vector<std::size_t> ends;
-    std::size_t at = 0;
-    const std::vector<std::size_t> all_ends =
-        answers.ends.empty() ? std::vector{answers.wrong.size()} : std::move(answers.ends);
-    for (const std::size_t end : all_ends) {
-        for (; at < end; ++at)
-            if (!is_single_place(answers, answers.wrong[at])) wrong.push_back(answers.wrong[at]);
-        ends.push_back(wrong.size());
-    }
-    answers.wrong = std::move(wrong);
-    answers.ends = std::move(ends);
-    return answers;
-}
-
-}
-
-std::vector<Dependence> dependences(const AnswersToMoves& asked)
-{
-    const AnswersToMoves answers = without_single_places(asked);
     std::vector<Dependence> all;
     std::vector<std::vector<Reactions>> reactions;
     for (const MovedAnswers& moved : answers.moved) reactions.push_back(reactions_to(moved, answers));

@@ -86,10 +86,14 @@ std::vector<std::string> patterns_of_right_rows(const AnswerTable& table, const 
     bool only_once = true;
     bool turned = true;
     bool in_other_order = true;
+    std::size_t long_ones = 0;
     for (const AnswerPair* one : wrong) {
         const Rows yours = rows_of(one->yours, table.components, keys);
         Rows right = rows_of(one->expected, table.components, keys);
-        if (std::max(yours.size(), right.size()) > most_rows || right.size() < least_rows) return {};
+        if (std::max(yours.size(), right.size()) > most_rows) return {};
+        // Of two rows all that is told here is the same.
+        if (right.size() < least_rows) continue;
+        ++long_ones;
         double size = 0;
         for (const auto& row : right) size = std::max(size, size_of(row));
         twice = twice && yours.size() > right.size() && are_alike(once(yours, size), once(right, size), size);
@@ -107,6 +111,7 @@ std::vector<std::string> patterns_of_right_rows(const AnswerTable& table, const 
         in_other_order = in_other_order && same_size && are_alike(sorted, right, size);
     }
     std::vector<std::string> found;
+    if (long_ones < least_wrong) return found;
     if (twice) found.emplace_back("has a row once too often, and the others as they are to be");
     if (only_once) found.emplace_back("has only once what is to come several times");
     if (turned) found.emplace_back("begins with another row, and goes round as it should");

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <umbral/record/not_finite.hpp>
 
 #include "question/movable.hpp"
 
@@ -114,19 +115,18 @@ TEST(Dependence, nothing_is_said_of_what_does_not_change_or_changes_with_all)
     EXPECT_TRUE(dependences(answers([](const Asked&) { return std::vector{std::nan("")}; }, right)).empty());
 }
 
-// At the jump all that is moved leads away from it.
+// That an answer changes because what is moved leads away from the one place where it is wrong tells nothing.
 TEST(Dependence, nothing_is_said_of_what_is_wrong_in_single_places_only)
 {
-    const auto jump = [](double limit) {
-        return [limit](const Asked& a) { return std::vector{a.left == limit ? a.top : a.left * a.size}; };
-    };
-    AnswersToMoves all = answers(jump(1), jump(-1));
+    const Answer right = [](const Asked& a) { return std::vector{a.top * a.size}; };
+    AnswersToMoves all = answers([](const Asked& a) { return std::vector{a.left == 1 ? 7 : a.top * a.size}; }, right);
     all.wrong = {0, 0, 0};
     EXPECT_TRUE(dependences(all).empty());
-    const Answer everywhere = [](const Asked& a) { return std::vector{a.top}; };
-    all = answers(everywhere, jump(-1));
+    all = answers([](const Asked& a) { return std::vector{a.left == 1 ? 7 : a.top}; }, right);
     all.wrong = {0, 0, 0};
-    EXPECT_FALSE(dependences(all).empty()) << "wrong as well where it is moved to";
+    const auto found = dependences(all);
+    ASSERT_EQ(found.size(), 1U) << "it is wrong elsewhere, too";
+    EXPECT_EQ(found.front().wrongly, (std::vector<MovedPlace>{left}));
 }
 
 TEST(Dependence, the_order_of_a_list_is_called_so)
@@ -150,6 +150,14 @@ TEST(Dependence, each_set_of_inputs_must_show_it)
     all.wrong = {0, 1, 2, 3, 0, 1, 2, 3, 4, 4, 4, 4};
     all.ends = {8, 12};
     EXPECT_TRUE(dependences(all).empty()) << "the last question's answers do not change with top";
+}
+
+TEST(Dependence, beside_infinity_all_changes_would_be_rounding)
+{
+    const auto beside = [](double x) { return std::vector{x, double{recorded_infinity}}; };
+    const auto found = dependences(answers([&](const Asked& a) { return beside(a.left * a.size); },
+                                           [&](const Asked& a) { return beside(a.top * a.size); }));
+    EXPECT_TRUE(found.empty()) << "nothing is said of what cannot be told";
 }
 
 TEST(Dependence, rounding_is_no_change)

@@ -9,6 +9,14 @@ namespace umbral {
 namespace {
 
 enum class Rule { even_odd, nonzero, other };
+struct Lamp {
+    glm::vec3 place;
+    float power;
+};
+struct Edge {
+    std::array<std::uint32_t, 2> ends;
+    float length;
+};
 
 /// The value as each small change leaves it.
 template <class Value>
@@ -69,9 +77,10 @@ TEST(Moves, of_lists_change_an_element_or_the_order)
     EXPECT_EQ(of.at("moved [1]"), (List{{16, 32}, {1.0F / 16, 68}}));
     EXPECT_EQ(of.at("moved [5]"), (List{{16, 32}, {0, 64}})) << "there is none";
     EXPECT_EQ(of.at("moved order"), (List{{0, 64}, {16, 32}}));
-    const auto numbers = moved(std::vector<int>{1, 2, 3});
-    EXPECT_EQ(numbers.size(), 1U) << "numbers of other things";
-    EXPECT_EQ(numbers.at("moved order"), (std::vector<int>{3, 2, 1}));
+    const std::vector<Lamp> lamps{{{1, 0, 0}, 1}, {{2, 0, 0}, 2}};
+    EXPECT_EQ(moved(lamps).at("moved order").front().power, 2);
+    EXPECT_TRUE(moved(std::vector<Edge>{{{0, 1}, 2}}).empty()) << "what means others by their numbers";
+    EXPECT_TRUE(moved(std::vector<int>{1, 2}).empty());
 }
 
 }

@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <ranges>
+#include <tuple>
+#include <type_traits>
 #include <umbral/record/ways_to_change.hpp>
 #include <vector>
 
@@ -130,10 +133,36 @@ constexpr Change element_moved(std::string_view name)
     });
 }
 
-/// The elements in reverse order: of lights, say, it is no matter which comes first. What whole numbers in lists mean
-/// is not known.
 template <class Element>
-struct MovesOf<std::vector<Element>> {
+inline constexpr bool is_float_vector = [] {
+    if constexpr (literal::detail::is_vector<Element>)
+        return std::is_floating_point_v<typename Element::value_type>;
+    else
+        return false;
+}();
+
+/// Are there whole numbers in a value of this type, which may say which element of a list is meant?
+template <class Value>
+constexpr bool holds_whole_numbers()
+{
+    if constexpr (literal::detail::is_vector<Value>)
+        return !is_float_vector<Value>;
+    else if constexpr (std::is_integral_v<Value>)
+        return !std::is_same_v<Value, bool>;
+    else if constexpr (literal::detail::List<Value>)
+        return holds_whole_numbers<std::ranges::range_value_t<Value>>();
+    else if constexpr (reflect::is_plain_struct<Value>)
+        return []<class... Fields>(std::type_identity<std::tuple<Fields&...>>) {
+            return (holds_whole_numbers<Fields>() || ...);
+        }(std::type_identity<decltype(reflect::fields(std::declval<Value&>()))>{});
+    else
+        return false;
+}
+
+/// The elements in reverse order: of lights, say, it is no matter which comes first. Where elements are meant by their
+/// numbers, another order is another thing, on which code may not come to an end.
+template <class Element>
+requires(!is_float_vector<Element> && !holds_whole_numbers<Element>()) struct MovesOf<std::vector<Element>> {
     using List = std::vector<Element>;
     static constexpr std::array all{
         change<List>("moved order", [](List& list) { std::reverse(list.begin(), list.end()); })};
@@ -141,8 +170,7 @@ struct MovesOf<std::vector<Element>> {
 
 /// Of places and directions each of the first by itself, too.
 template <class Element>
-requires(literal::detail::is_vector<Element>&&
-             std::is_floating_point_v<typename Element::value_type>) struct MovesOf<std::vector<Element>> {
+requires(is_float_vector<Element>) struct MovesOf<std::vector<Element>> {
     using List = std::vector<Element>;
     static constexpr std::array all{
         change<List>("moved order", [](List& list) { std::reverse(list.begin(), list.end()); }),
