@@ -42,8 +42,8 @@ function(umbral_compile_quickly)
   endforeach()
 endfunction()
 
-# umbral_compile_driver(TARGET): what draws pictures in software. At -O1 it draws three to seven times as fast as at -Og,
-# and compiles a quarter longer; at -O2 up to twice as fast again, in twice the time.
+# umbral_compile_driver(TARGET): what draws pictures in software. At -O1 it draws three to seven times as fast as at
+# -Og, and compiles a quarter longer; at -O2 up to twice as fast again, in twice the time.
 function(umbral_compile_driver target)
   umbral_compile_at(-O1 ${target})
 endfunction()

@@ -37,8 +37,4 @@ struct InCommon {
 [[nodiscard]] std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const CommonCondition& condition,
                                            std::uint64_t seed);
 
-/// The same of what all wrong answers share.
-[[nodiscard]] std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const std::string& pattern,
-                                           std::uint64_t seed);
-
 }

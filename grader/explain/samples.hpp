@@ -8,6 +8,10 @@
 
 namespace umbral::grader {
 
+/// Something that is so for 1 answer of 100 but one is found out with these many; few are asked at a time.
+inline constexpr std::size_t enough_answers = 200;
+inline constexpr std::size_t least_confirmed = 2;  ///< sets of fresh inputs with wrong answers
+
 [[nodiscard]] std::size_t wrong_in(const std::vector<bool>& wrong);
 [[nodiscard]] std::size_t wrong_in(const AnswerTable& table);
 

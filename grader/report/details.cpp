@@ -227,7 +227,6 @@ void add_others(Block& block, const UnitResult& unit, const std::vector<const Ch
 {
     std::string others;
     for (std::size_t i = 1; i < failing.size(); ++i)
-        // What is right by itself needs no mending.
         if (!failing[i]->held_back) others += fmt::format("{}{}", others.empty() ? "" : ", ", failing[i]->name);
     if (!others.empty()) block.sentence("also", others + " not right yet");
     std::vector<const CheckResult*> hidden;

@@ -7,6 +7,7 @@
 #include <set>
 #include <umbral/core/random.hpp>
 
+#include "explain/common_answer.hpp"
 #include "explain/common_condition.hpp"
 #include "explain/other_questions.hpp"
 #include "explain/wrong_dependence.hpp"
