@@ -85,6 +85,22 @@ std::vector<Reactions> reactions_to(const MovedAnswers& moved, const AnswersToMo
     return reactions;
 }
 
+/// Do half of the moves, or more, make this wrong answer right? Then it is wrong in this place only.
+bool is_single_place(const AnswersToMoves& answers, std::size_t row)
+{
+    std::size_t seen = 0;
+    std::size_t made_right = 0;
+    for (const MovedAnswers& moved : answers.moved) {
+        if (moved.yours.size() != answers.yours.size() || moved.right.size() != answers.right.size()) continue;
+        const auto yours = row_of(moved.yours, row, answers.components);
+        const auto right = row_of(moved.right, row, answers.components);
+        if (!are_finite(yours) || !are_finite(right)) continue;
+        ++seen;
+        made_right += alike_rows(yours, right) ? 1 : 0;
+    }
+    return seen > 0 && 2 * made_right >= seen;
+}
+
 std::vector<Reactions> reactions_to(const MovedAnswers& moved, const AnswersToMoves& answers)
 {
     std::vector<Reactions> all(answers.components);
@@ -93,7 +109,10 @@ std::vector<Reactions> reactions_to(const MovedAnswers& moved, const AnswersToMo
     if (ends.empty()) ends.push_back(answers.wrong.size());
     std::size_t begin = 0;
     for (const std::size_t end : ends) {
-        const auto some = reactions_to(moved, answers, std::span(answers.wrong).subspan(begin, end - begin));
+        std::vector<std::size_t> rows(answers.wrong.begin() + static_cast<std::ptrdiff_t>(begin),
+                                      answers.wrong.begin() + static_cast<std::ptrdiff_t>(end));
+        std::erase_if(rows, [&](std::size_t row) { return is_single_place(answers, row); });
+        const auto some = reactions_to(moved, answers, rows);
         for (std::size_t i = 0; i < all.size(); ++i) {
             all[i].yours.add(some[i].yours);
             all[i].right.add(some[i].right);

@@ -122,6 +122,14 @@ TEST(Dependence, nothing_is_said_of_what_is_wrong_in_single_places_only)
     AnswersToMoves all = answers([](const Asked& a) { return std::vector{a.left == 1 ? 7 : a.top * a.size}; }, right);
     all.wrong = {0, 0, 0};
     EXPECT_TRUE(dependences(all).empty());
+    // Where two are equal, one is chosen: three of five moves end that, and the others leave it wrong.
+    AnswersToMoves tie{1, {3, 3, 3}, {2, 2, 2}, {0, 1, 2}, {}, {}};
+    for (const char* const place : {"0", "1", "2", "3", "4"}) {
+        const bool ends = *place < '3';
+        const auto rows = [](double x) { return std::vector{x, x, x}; };
+        tie.moved.push_back({{"f", place, "moved", ""}, rows(ends ? 5 : 4), rows(ends ? 5 : 2)});
+    }
+    EXPECT_TRUE(dependences(tie).empty());
     all = answers([](const Asked& a) { return std::vector{a.left == 1 ? 7 : a.top}; }, right);
     all.wrong = {0, 0, 0};
     const auto found = dependences(all);
