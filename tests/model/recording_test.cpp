@@ -60,7 +60,7 @@ TEST(Recording, of_vectors_that_may_be_absent_holds_a_row_for_each)
     EXPECT_EQ(pixels.element, Element::int32);
     EXPECT_EQ(pixels.present, (std::vector<std::uint8_t>{0, 1}));
     EXPECT_EQ(pixels.bytes.size(), 4 * sizeof(std::int32_t));
-    EXPECT_THROW(recorder.append("places", glm::vec3(0)), std::logic_error);
+    EXPECT_THROW(recorder.append("places", glm::vec2(0)), std::logic_error);
 }
 
 TEST(Recording, gives_back_what_was_recorded)
