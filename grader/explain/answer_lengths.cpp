@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
+#include <vector>
 
 #include "explain/samples.hpp"
 #include "question/answer_sizes.hpp"
@@ -46,6 +47,50 @@ std::string list_in_words(const std::string& place, const std::vector<std::strin
     return "its list " + (is_argument ? in_words(place, parameters) : place);
 }
 
+/// What both sides tell of a check's questions.
+struct BothSides {
+    const QuestionLog& log;
+    QuestionLog told;  ///< by the student's run
+    std::set<std::uint32_t> questions{};
+    std::set<std::uint32_t> wrong{};
+};
+
+/// How long one list is in each answer that can be compared. Empty where that is not what makes answers wrong: what is
+/// right with another length may have any, and what is wrong with the right length is wrong by something else.
+std::vector<SizePair> lengths_of(const BothSides& sides, const QuestionKind& right, const QuestionKind& yours,
+                                 std::size_t list)
+{
+    std::vector<SizePair> calls;
+    for (const auto& [question, sizes] : right.questions) {
+        const auto found = yours.questions.find(question);
+        if (!sides.questions.contains(question) || found == yours.questions.end()) continue;
+        const SizePair pair{found->second.at(list), sizes.at(list)};
+        if (!(pair.yours >= 0 && pair.yours < most_size) || !is_same_question(sides.log, sides.told, question))
+            continue;
+        if ((pair.yours != pair.right) != sides.wrong.contains(question)) return {};
+        calls.push_back(pair);
+    }
+    return calls;
+}
+
+std::string sentences(const BothSides& sides, const std::string& headers)
+{
+    std::string text;
+    std::size_t count = 0;
+    for (const QuestionKind& right : sides.log.sized) {
+        const auto yours = std::ranges::find(sides.told.sized, right.function, &QuestionKind::function);
+        if (yours == sides.told.sized.end() || yours->features != right.features) continue;
+        for (std::size_t list = 0; list < right.features.size() && count < most_told; ++list) {
+            const std::string sentence = sentence_of_sizes(lengths_of(sides, right, *yours, list));
+            if (sentence.empty()) continue;
+            ++count;
+            text += (text.empty() ? "" : "; ") + std::string(reflect::last_name(right.function)) + ": " +
+                    list_in_words(right.features[list], parameter_names(headers, right.function)) + " " + sentence;
+        }
+    }
+    return text;
+}
+
 }
 
 std::string answer_lengths(Worker& worker, const AskedCheck& asked, SpareTime& time)
@@ -55,40 +100,14 @@ std::string answer_lengths(Worker& worker, const AskedCheck& asked, SpareTime& t
     const std::uint64_t seed = input_seed(asked, 0);
     const QuestionLog& log =
         seed == asked.result.seed ? asked.log : worker.questions(asked.exercise, asked.check.case_name, seed);
-    const std::set<std::uint32_t> questions = questions_of(log, asked.check.value);
     std::string text;
-    if (log.sized.empty() || questions.empty()) return text;
-    std::set<std::uint32_t> wrong;
-    for (const AskedAnswer& one : asked_answers(worker, asked, seed).all)
-        if (one.answer.wrong) wrong.insert(one.question);
-    const auto is_wrong = [&](std::uint32_t question) { return wrong.contains(question); };
-    const RunOutcome& run = asked.runs.told(seed);
-    if (run.verdict != Verdict::ok) return text;
-    const QuestionLog told = read_questions(run.recording.tensors);
-    std::size_t count = 0;
-    for (const QuestionKind& right : log.sized) {
-        const auto yours = std::ranges::find(told.sized, right.function, &QuestionKind::function);
-        if (yours == told.sized.end() || yours->features != right.features) continue;
-        for (std::size_t list = 0; list < right.features.size() && count < most_told; ++list) {
-            std::vector<SizePair> calls;
-            bool says_why = true;
-            for (const auto& [question, sizes] : right.questions) {
-                const auto found = yours->questions.find(question);
-                if (!questions.contains(question) || found == yours->questions.end()) continue;
-                const double size = found->second.at(list);
-                if (!(size >= 0 && size < most_size) || !is_same_question(log, told, question)) continue;
-                calls.push_back({size, sizes.at(list)});
-                // What is right with another length may have any; and where what has the right length is wrong, too,
-                // lengths are not the reason.
-                says_why = says_why && (size != sizes.at(list)) == is_wrong(question);
-            }
-            if (!says_why) continue;
-            const std::string sentence = sentence_of_sizes(calls);
-            if (sentence.empty()) continue;
-            ++count;
-            text += (text.empty() ? "" : "; ") + std::string(reflect::last_name(right.function)) + ": " +
-                    list_in_words(right.features[list], parameter_names(asked.headers, right.function)) + " " +
-                    sentence;
+    if (BothSides sides{log, {}, questions_of(log, asked.check.value), {}};
+        !log.sized.empty() && !sides.questions.empty()) {
+        for (const AskedAnswer& one : asked_answers(worker, asked, seed).all)
+            if (one.answer.wrong) sides.wrong.insert(one.question);
+        if (const RunOutcome& run = asked.runs.told(seed); run.verdict == Verdict::ok) {
+            sides.told = read_questions(run.recording.tensors);
+            text = sentences(sides, asked.headers);
         }
     }
     time.spend(worker.run_seconds() - before);
