@@ -52,7 +52,7 @@ std::vector<std::string> differences(const Answer& mine, const Answer& right)
     for (std::size_t i = 0; alike && i < right.numbers.size(); ++i) {
         const double a = mine.numbers[i];
         const double b = right.numbers[i];
-        if (a != b && !(std::isnan(a) && std::isnan(b))) lines.push_back(number_line(right.names[i], a, b));
+        if (!equal_or_both_nan(a, b)) lines.push_back(number_line(right.names[i], a, b));
     }
     if (lines.size() > most_differences) {
         const std::size_t more = lines.size() - most_differences;

@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "explain/samples.hpp"
+#include "judge/rows/tensor_view.hpp"
 #include "question/answer_sizes.hpp"
 #include "question/log.hpp"
 #include "question/names.hpp"
+#include "worker/spent_on_runs.hpp"
 
 #include <umbral/record/reflect.hpp>
 
@@ -34,9 +36,8 @@ bool is_same_question(const QuestionLog& one, const QuestionLog& other, std::uin
     const QuestionKind* const a = one.kind_of(question);
     const QuestionKind* const b = other.kind_of(question);
     if (a == nullptr || b == nullptr) return false;
-    const auto is_equal = [](double x, double y) { return x == y || (x != x && y != y); };
     return a->function == b->function && a->features == b->features &&
-           std::ranges::equal(a->questions.at(question), b->questions.at(question), is_equal);
+           std::ranges::equal(a->questions.at(question), b->questions.at(question), equal_or_both_nan);
 }
 
 /// "the answer", "its list edges", "its list polygon.positions".
@@ -96,22 +97,17 @@ std::string sentences(const BothSides& sides, const std::string& headers)
 std::string answer_lengths(Worker& worker, const AskedCheck& asked, SpareTime& time)
 {
     if (!time.is_left()) return "";
-    const double before = worker.run_seconds();
+    const SpentOnRuns spent(time, worker);
     const std::uint64_t seed = input_seed(asked, 0);
-    const QuestionLog& log =
-        seed == asked.result.seed ? asked.log : worker.questions(asked.exercise, asked.check.case_name, seed);
-    std::string text;
-    if (BothSides sides{log, {}, questions_of(log, asked.check.value), {}};
-        !log.sized.empty() && !sides.questions.empty()) {
-        for (const AskedAnswer& one : asked_answers(worker, asked, seed).all)
-            if (one.answer.wrong) sides.wrong.insert(one.question);
-        if (const RunOutcome& run = asked.runs.told(seed); run.verdict == Verdict::ok) {
-            sides.told = read_questions(run.recording.tensors);
-            text = sentences(sides, asked.headers);
-        }
-    }
-    time.spend(worker.run_seconds() - before);
-    return text;
+    const QuestionLog& log = questions_at(worker, asked, seed);
+    BothSides sides{log, {}, questions_of(log, asked.check.value), {}};
+    if (log.sized.empty() || sides.questions.empty()) return "";
+    for (const AskedAnswer& one : asked_answers(worker, asked, seed).all)
+        if (one.answer.wrong) sides.wrong.insert(one.question);
+    const RunOutcome& run = asked.runs.told(seed);
+    if (run.verdict != Verdict::ok) return "";
+    sides.told = read_questions(run.recording.tensors);
+    return sentences(sides, asked.headers);
 }
 
 }

@@ -188,6 +188,11 @@ void add_groups(const AskedCheck& asked, const QuestionLog& log, const Expected&
 
 }
 
+const QuestionLog& questions_at(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
+{
+    return seed == asked.result.seed ? asked.log : worker.questions(asked.exercise, asked.check.case_name, seed);
+}
+
 AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
 {
     const Check& check = asked.check;
@@ -196,7 +201,7 @@ AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_
     // What was graded of a hidden case is not asked again.
     if ((asked.result.hidden && seen) || check.relation || !judge_of(check).plain_values) return answers;
     const RunOutcome& run = worker.trusted(asked.exercise, judged_against(check), check.case_name, seed);
-    const QuestionLog& log = seen ? asked.log : worker.questions(asked.exercise, check.case_name, seed);
+    const QuestionLog& log = questions_at(worker, asked, seed);
     const Expected expected = expected_of(check, run);
     if (expected.value == nullptr) return answers;
     answers.components = expected.value->components;

@@ -55,6 +55,9 @@ struct AskedAnswers {
     std::optional<WrongGroup> first_wrong{};  ///< where the rows of a question are judged together
 };
 
+/// The questions that the check's case asks with the inputs of a seed.
+[[nodiscard]] const QuestionLog& questions_at(Worker& worker, const AskedCheck& asked, std::uint64_t seed);
+
 /// The answers with the inputs of a seed: row by row where rows are compared so, else, where their number is free or
 /// another one than expected, all rows of a question together. Empty where neither can be said. The student's code may
 /// be run again.

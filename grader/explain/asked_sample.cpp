@@ -196,8 +196,7 @@ void add_told(ToldSample& told, const ToldSample& other)
 AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed, const AskedSample* but)
 {
     const AskedAnswers answers = asked_answers(worker, asked, seed);
-    const QuestionLog& log =
-        seed == asked.result.seed ? asked.log : worker.questions(asked.exercise, asked.check.case_name, seed);
+    const QuestionLog& log = questions_at(worker, asked, seed);
     std::map<const QuestionKind*, std::vector<const AskedAnswer*>> by_kind;
     for (const AskedAnswer& one : answers.all) by_kind[log.kind_of(one.question)].push_back(&one);
     AskedSample result;
@@ -227,11 +226,12 @@ AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t 
     result.answers.facts = result.by_answer.facts;
     result.by_question = by_question(table, of_kind);
     result.answers.several = !result.by_question.numbers.empty();
-    if (result.answers.several) result.lists = lists_of(of_kind, result.answers);
-    if (result.answers.several)
+    if (result.answers.several) {
+        result.lists = lists_of(of_kind, result.answers);
         result.by_answer = by_answer(
             no_questions(answers), of_kind,
             [places = PlacesInCalls(of_kind)](const AskedAnswer& one) { return std::vector<double>{places.of(one)}; });
+    }
     return result;
 }
 

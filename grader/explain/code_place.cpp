@@ -101,8 +101,7 @@ private:
     {
         if (!traced_.has_time()) return;
         const AskedAnswers answers = asked_answers(worker_, asked, seed);
-        const QuestionLog& log =
-            seed == asked.result.seed ? asked.log : worker_.questions(asked.exercise, asked.check.case_name, seed);
+        const QuestionLog& log = questions_at(worker_, asked, seed);
         std::map<std::string, std::map<std::uint32_t, bool>> wrong;
         std::set<std::uint32_t> given;
         for (const AskedAnswer& one : answers.all) {

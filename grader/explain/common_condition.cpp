@@ -9,6 +9,7 @@
 #include "explain/other_cases.hpp"
 #include "explain/samples.hpp"
 #include "question/conditions.hpp"
+#include "worker/spent_on_runs.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -176,12 +177,10 @@ bool is_multiple(const AnswerPattern& answer)
 InCommon find_in_common(Worker& worker, const AskedCheck& asked, SpareTime& time)
 {
     if (!time.is_left()) return {};
-    const double before = worker.run_seconds();
+    const SpentOnRuns spent(time, worker);
     Samples samples(worker, asked, std::min(time.left(), most_common_seconds));
     OtherCases others(worker, asked);
-    InCommon found{common_condition(others, samples), common_answer(others, samples)};
-    time.spend(worker.run_seconds() - before);
-    return found;
+    return {common_condition(others, samples), common_answer(others, samples)};
 }
 
 AnswerPattern sentence_of(const InCommon& common)

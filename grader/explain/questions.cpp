@@ -130,9 +130,9 @@ public:
         AnswerPattern shared =
             alone ? AnswerPattern{right_alone_of(exercise_)} : sentence_of(find_in_common(worker_, asked, patterns));
         if (shared.words.empty()) shared.words = rows_alone(worker_, asked, patterns);
-        if (!alone) add_part(shared.words, answer_lengths(worker_, asked, patterns));
-        if (!alone && patterns.is_left()) {
-            std::string function = wrong_function(worker_, asked);
+        if (!alone) {
+            add_part(shared.words, answer_lengths(worker_, asked, patterns));
+            std::string function = wrong_function(worker_, asked, patterns);
             add_part(function, shared.words);
             shared.words = std::move(function);
         }

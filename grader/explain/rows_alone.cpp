@@ -6,6 +6,7 @@
 
 #include "explain/samples.hpp"
 #include "question/lost_rows.hpp"
+#include "worker/spent_on_runs.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -75,7 +76,7 @@ std::vector<RowsOfCall> calls_in(const AskedAnswers& answers, const Naming& nami
 std::string rows_alone(Worker& worker, const AskedCheck& asked, SpareTime& time)
 {
     if (!time.is_left()) return "";
-    const double before = worker.run_seconds();
+    const SpentOnRuns spent(time, worker);
     const AskedAnswers seen = asked_answers(worker, asked, input_seed(asked, 0));
     const Naming naming = naming_of(seen);
     const std::vector<RowsOfCall> calls = calls_in(seen, naming);
@@ -94,7 +95,6 @@ std::string rows_alone(Worker& worker, const AskedCheck& asked, SpareTime& time)
         }
         if (holds && confirmed > 0) text = sentence_of_alone(side, *condition);
     }
-    time.spend(worker.run_seconds() - before);
     return text;
 }
 

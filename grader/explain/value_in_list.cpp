@@ -3,42 +3,44 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "judge/rows/tensor_view.hpp"
-#include "question/alike.hpp"
+#include "question/list_patterns.hpp"
+#include "question/lost_rows.hpp"
 
 namespace umbral::grader {
 namespace {
 
-using Row = std::span<const double>;
+using Row = std::vector<double>;
 
 constexpr std::size_t most_rows = 400;
 
-/// Is each key the same in all rows, or their number?
-bool keys_are_places(const TensorView& list, std::size_t keys)
-{
-    for (std::size_t row = 0; row < list.cells(); ++row)
-        for (std::size_t key = 0; key < keys; ++key)
-            if (list.cell(row)[key] != list.cell(0)[key] && list.cell(row)[key] != static_cast<double>(row))
-                return false;
-    return true;
-}
-
-double distance(Row a, Row b)
+double distance(const Row& a, const Row& b)
 {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
     return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
 
-std::string text_of(Row row)
+/// The rows without their keys.
+std::vector<Row> values_of(const TensorView& list, std::size_t keys)
 {
-    if (row.size() == 1) return number_text(row.front());
-    std::string text = "(";
-    for (const double number : row) text += (text.size() > 1 ? ", " : "") + number_text(number);
-    return text + ")";
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < list.cells(); ++i) {
+        const auto values = list.cell(i).subspan(keys);
+        rows.emplace_back(values.begin(), values.end());
+    }
+    return rows;
+}
+
+/// The places of those that are true.
+std::vector<std::size_t> places_of(const std::vector<bool>& all)
+{
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (all[i]) places.push_back(i);
+    return places;
 }
 
 }
@@ -48,33 +50,25 @@ std::optional<Difference> first_value_apart(const Tensor& yours, const Tensor& e
     const TensorView mine(yours);
     const TensorView right(expected);
     if (keys >= right.components() || right.cells() == 0 || mine.components() != right.components() ||
-        std::max(mine.cells(), right.cells()) > most_rows || !keys_are_places(mine, keys) ||
-        !keys_are_places(right, keys))
+        std::max(mine.cells(), right.cells()) > most_rows || !keys_are_places(mine.values(), mine.components(), keys) ||
+        !keys_are_places(right.values(), right.components(), keys))
         return std::nullopt;
-    std::vector<std::size_t> surplus;
-    for (std::size_t i = 0; i < mine.cells(); ++i) surplus.push_back(i);
-    std::vector<std::size_t> lacking;
-    for (std::size_t i = 0; i < right.cells(); ++i) {
-        const Row row = right.cell(i).subspan(keys);
-        const auto partner = std::ranges::find_if(
-            surplus, [&](std::size_t other) { return alike_rows(mine.cell(other).subspan(keys), row); });
-        if (partner != surplus.end())
-            surplus.erase(partner);
-        else
-            lacking.push_back(i);
-    }
+    const std::vector<Row> my_rows = values_of(mine, keys);
+    const std::vector<Row> right_rows = values_of(right, keys);
+    const std::vector<std::size_t> lacking = places_of(without_partner(right_rows, my_rows));
+    const std::vector<std::size_t> surplus = places_of(without_partner(my_rows, right_rows));
     if (lacking.empty() && surplus.empty()) return std::nullopt;
     Difference apart{"this call", "nothing", "nothing"};
     if (lacking.empty()) {
-        apart.yours = text_of(mine.cell(surplus.front()).subspan(keys));
+        apart.yours = row_text(my_rows[surplus.front()]);
         return apart;
     }
-    const Row row = right.cell(lacking.front()).subspan(keys);
+    const Row& row = right_rows[lacking.front()];
     apart.cell = lacking.front();
-    apart.expected = text_of(row);
-    const auto nearest = std::ranges::min_element(
-        surplus, {}, [&](std::size_t other) { return distance(mine.cell(other).subspan(keys), row); });
-    if (nearest != surplus.end()) apart.yours = text_of(mine.cell(*nearest).subspan(keys));
+    apart.expected = row_text(row);
+    const auto nearest =
+        std::ranges::min_element(surplus, {}, [&](std::size_t other) { return distance(my_rows[other], row); });
+    if (nearest != surplus.end()) apart.yours = row_text(my_rows[*nearest]);
     return apart;
 }
 

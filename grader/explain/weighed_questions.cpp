@@ -40,7 +40,7 @@ bool errs_to_one_side(const FailingCheck& one)
     bool is_none_given = true;
     for (std::size_t i = 0; i < yours.size(); ++i) {
         if (!std::isnan(right[i])) expected.insert(right[i]);
-        if (yours[i] == right[i] || (std::isnan(yours[i]) && std::isnan(right[i]))) continue;
+        if (equal_or_both_nan(yours[i], right[i])) continue;
         is_none_given = is_none_given && std::isnan(yours[i]);
         if (!std::isnan(yours[i])) wrong.insert(yours[i]);
     }

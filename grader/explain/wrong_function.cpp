@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <map>
 
+#include "explain/question_words.hpp"
 #include "explain/samples.hpp"
+#include "worker/spent_on_runs.hpp"
 
 #include <umbral/record/reflect.hpp>
 
@@ -20,24 +22,14 @@ struct Count {
     std::size_t all = 0;
 };
 
-/// "a, b and c", "a, b, c and 4 others".
-std::string names_in_a_row(const std::vector<std::string>& names)
-{
-    const std::size_t shown = std::min(names.size(), most_others_named);
-    const std::size_t others = names.size() - shown;
-    std::string text;
-    for (std::size_t i = 0; i < shown; ++i)
-        text += (i == 0 ? "" : i + 1 == shown && others == 0 ? " and " : ", ") + names[i];
-    return others == 0 ? text : fmt::format("{} and {} other{}", text, others, others == 1 ? "" : "s");
 }
 
-}
-
-std::string wrong_function(Worker& worker, const AskedCheck& asked)
+std::string wrong_function(Worker& worker, const AskedCheck& asked, SpareTime& time)
 {
+    if (!time.is_left()) return "";
+    const SpentOnRuns spent(time, worker);
     const std::uint64_t seed = input_seed(asked, 0);
-    const QuestionLog& log =
-        seed == asked.result.seed ? asked.log : worker.questions(asked.exercise, asked.check.case_name, seed);
+    const QuestionLog& log = questions_at(worker, asked, seed);
     std::map<std::string, Count> functions;
     for (const AskedAnswer& one : asked_answers(worker, asked, seed).all) {
         const QuestionKind* const kind = log.kind_of(one.question);
@@ -57,8 +49,13 @@ std::string wrong_function(Worker& worker, const AskedCheck& asked)
         right += other.all;
     }
     if (right < least_right) return "";
+    if (others.size() > most_others_named) {
+        const std::size_t more = others.size() - most_others_named;
+        others.resize(most_others_named);
+        others.push_back(fmt::format("{} other{}", more, more == 1 ? "" : "s"));
+    }
     return fmt::format("only answers of {} are wrong ({} of {}), none of {} ({})", reflect::last_name(function),
-                       count.wrong, count.all, names_in_a_row(others), right);
+                       count.wrong, count.all, listed(others), right);
 }
 
 }

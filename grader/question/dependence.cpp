@@ -64,7 +64,7 @@ bool are_finite(std::span<const double> numbers)
 
 /// For each number of the answers, over wrong rows that have numbers before and after on both sides, and remain wrong.
 std::vector<Reactions> reactions_to(const MovedAnswers& moved, const AnswersToMoves& answers,
-                                    std::span<const std::size_t> rows)
+                                    const std::vector<std::size_t>& rows)
 {
     std::vector<Reactions> reactions(answers.components);
     for (const std::size_t row : rows) {
@@ -101,23 +101,35 @@ bool is_single_place(const AnswersToMoves& answers, std::size_t row)
     return seen > 0 && 2 * made_right >= seen;
 }
 
-std::vector<Reactions> reactions_to(const MovedAnswers& moved, const AnswersToMoves& answers)
+/// Numbers of rows, of one set of inputs.
+using RowNumbers = std::vector<std::size_t>;
+
+/// Of each set of inputs the wrong rows, but for those that are wrong in their places only.
+std::vector<RowNumbers> wrong_rows(const AnswersToMoves& answers)
+{
+    std::vector<std::size_t> ends = answers.ends;
+    if (ends.empty()) ends.push_back(answers.wrong.size());
+    std::vector<RowNumbers> sets;
+    std::size_t at = 0;
+    for (const std::size_t end : ends) {
+        RowNumbers& rows = sets.emplace_back();
+        for (; at < end; ++at)
+            if (!is_single_place(answers, answers.wrong[at])) rows.push_back(answers.wrong[at]);
+    }
+    return sets;
+}
+
+std::vector<Reactions> reactions_to(const MovedAnswers& moved, const AnswersToMoves& answers,
+                                    const std::vector<RowNumbers>& sets)
 {
     std::vector<Reactions> all(answers.components);
     if (moved.yours.size() != answers.yours.size() || moved.right.size() != answers.right.size()) return all;
-    std::vector<std::size_t> ends = answers.ends;
-    if (ends.empty()) ends.push_back(answers.wrong.size());
-    std::size_t begin = 0;
-    for (const std::size_t end : ends) {
-        std::vector<std::size_t> rows(answers.wrong.begin() + static_cast<std::ptrdiff_t>(begin),
-                                      answers.wrong.begin() + static_cast<std::ptrdiff_t>(end));
-        std::erase_if(rows, [&](std::size_t row) { return is_single_place(answers, row); });
+    for (const RowNumbers& rows : sets) {
         const auto some = reactions_to(moved, answers, rows);
         for (std::size_t i = 0; i < all.size(); ++i) {
             all[i].yours.add(some[i].yours);
             all[i].right.add(some[i].right);
         }
-        begin = end;
     }
     return all;
 }
@@ -176,7 +188,8 @@ std::vector<Dependence> dependences(const AnswersToMoves& answers)
 {
     std::vector<Dependence> all;
     std::vector<std::vector<Reactions>> reactions;
-    for (const MovedAnswers& moved : answers.moved) reactions.push_back(reactions_to(moved, answers));
+    const std::vector<RowNumbers> sets = wrong_rows(answers);
+    for (const MovedAnswers& moved : answers.moved) reactions.push_back(reactions_to(moved, answers, sets));
     for (std::size_t i = 0; i < answers.components; ++i) {
         std::set<MovedPlace> wrongly;
         std::set<MovedPlace> lacking;

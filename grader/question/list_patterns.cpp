@@ -46,19 +46,6 @@ Rows rows_of(const std::vector<double>& list, std::size_t components, std::size_
     return rows;
 }
 
-/// Do the rows' keys say no more than their places in the list: each is the same in all of them, or counts them?
-bool keys_are_places(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
-{
-    return std::ranges::all_of(wrong, [&](const AnswerPair* one) {
-        const std::vector<double>& list = one->expected;
-        for (std::size_t at = 0; at < list.size(); at += table.components)
-            for (std::size_t key = 0; key < table.keys; ++key)
-                if (list[at + key] != list[key] && list[at + key] != static_cast<double>(at / table.components))
-                    return false;
-        return true;
-    });
-}
-
 bool are_alike(const Rows& some, const Rows& others, double size)
 {
     return std::ranges::equal(some, others, [size](const auto& a, const auto& b) {
@@ -81,7 +68,9 @@ std::vector<std::string> patterns_of_right_rows(const AnswerTable& table, const 
 {
     constexpr std::size_t least_rows = 3;
     constexpr std::size_t most_rows = 300;
-    const std::size_t keys = keys_are_places(table, wrong) ? table.keys : 0;
+    const bool are_places = std::ranges::all_of(
+        wrong, [&](const AnswerPair* one) { return keys_are_places(one->expected, table.components, table.keys); });
+    const std::size_t keys = are_places ? table.keys : 0;
     bool twice = true;
     bool only_once = true;
     bool turned = true;
@@ -132,6 +121,14 @@ bool kinds_name_questions(const AnswerTable& table)
     return different.size() > 1;
 }
 
+}
+
+bool keys_are_places(std::span<const double> rows, std::size_t components, std::size_t keys)
+{
+    for (std::size_t at = 0; at < rows.size(); at += components)
+        for (std::size_t key = 0; key < keys; ++key)
+            if (rows[at + key] != rows[key] && rows[at + key] != static_cast<double>(at / components)) return false;
+    return true;
 }
 
 std::vector<std::string> list_patterns(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)

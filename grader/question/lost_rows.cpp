@@ -11,7 +11,8 @@ namespace {
 
 using Rows = std::vector<std::vector<double>>;
 
-/// For each row whether none is left for it among the others.
+}
+
 std::vector<bool> without_partner(const Rows& rows, const Rows& others)
 {
     std::vector<bool> taken(others.size());
@@ -23,8 +24,6 @@ std::vector<bool> without_partner(const Rows& rows, const Rows& others)
         if (partner < others.size()) taken[partner] = true;
     }
     return alone;
-}
-
 }
 
 ToldRows told_rows(const std::vector<RowsOfCall>& calls, Side side, const std::vector<std::string>& names)

@@ -22,6 +22,10 @@ struct ToldRows {
 
 enum class Side { yours, expected };
 
+/// For each row whether none is left for it among the others: each has an equal one of its own, or none.
+[[nodiscard]] std::vector<bool> without_partner(const std::vector<std::vector<double>>& rows,
+                                                const std::vector<std::vector<double>>& others);
+
 /// What is told of the rows of a side: their numbers, called by `names`, one for each number of a row. A row's partner
 /// is an equal one of the same call, for each its own.
 [[nodiscard]] ToldRows told_rows(const std::vector<RowsOfCall>& calls, Side side,

@@ -30,12 +30,10 @@ RunRequest request_of(const Toolchain& tools, const Exercise& exercise, const st
 
 bool is_text(const Tensor& tensor) { return tensor.element == Element::uint8; }
 
-bool is_equal(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
-
 bool same_row(const TensorView& one, const TensorView& other, std::size_t row)
 {
     return one.components() == other.components() && one.present(row) == other.present(row) &&
-           std::ranges::equal(one.cell(row), other.cell(row), is_equal);
+           std::ranges::equal(one.cell(row), other.cell(row), equal_or_both_nan);
 }
 
 std::string rows_text(std::size_t rows)

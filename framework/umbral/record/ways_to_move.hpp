@@ -159,28 +159,26 @@ constexpr bool holds_whole_numbers()
         return false;
 }
 
-/// The elements in reverse order: of lights, say, it is no matter which comes first. Where elements are meant by their
-/// numbers, another order is another thing, on which code may not come to an end.
+/// The elements in reverse order: of lights, say, it is no matter which comes first.
+template <class List>
+inline constexpr std::array order_moved{
+    change<List>("moved order", [](List& list) { std::reverse(list.begin(), list.end()); })};
+
+/// Where elements are meant by their numbers, another order is another thing, on which code may not come to an end.
 template <class Element>
 requires(!is_float_vector<Element> && !holds_whole_numbers<Element>()) struct MovesOf<std::vector<Element>> {
-    using List = std::vector<Element>;
-    static constexpr std::array all{
-        change<List>("moved order", [](List& list) { std::reverse(list.begin(), list.end()); })};
+    static constexpr std::array all = order_moved<std::vector<Element>>;
 };
 
 /// Of places and directions each of the first by itself, too.
 template <class Element>
 requires(is_float_vector<Element>) struct MovesOf<std::vector<Element>> {
     using List = std::vector<Element>;
-    static constexpr std::array all{
-        change<List>("moved order", [](List& list) { std::reverse(list.begin(), list.end()); }),
-        element_moved<List, 0>("moved [0]"),
-        element_moved<List, 1>("moved [1]"),
-        element_moved<List, 2>("moved [2]"),
-        element_moved<List, 3>("moved [3]"),
-        element_moved<List, 4>("moved [4]"),
-        element_moved<List, 5>("moved [5]"),
+    static constexpr std::array elements{
+        element_moved<List, 0>("moved [0]"), element_moved<List, 1>("moved [1]"), element_moved<List, 2>("moved [2]"),
+        element_moved<List, 3>("moved [3]"), element_moved<List, 4>("moved [4]"), element_moved<List, 5>("moved [5]"),
     };
+    static constexpr auto all = joined(order_moved<List>, elements);
 };
 
 }

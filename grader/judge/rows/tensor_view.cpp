@@ -146,6 +146,8 @@ bool all_finite(std::span<const double> values)
     return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
+bool equal_or_both_nan(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
 std::string number_text(double recorded, int digits)
 {
     const double value = recorded_number(recorded);
@@ -168,14 +170,17 @@ std::string count_text(double count)
     return digits;
 }
 
+std::string row_text(std::span<const double> row, int digits)
+{
+    if (row.size() == 1) return number_text(row[0], digits);
+    std::string text = "(";
+    for (const double value : row) text += (text.size() > 1 ? ", " : "") + number_text(value, digits);
+    return text + ")";
+}
+
 std::string cell_text(const TensorView& view, std::size_t cell, int digits)
 {
-    if (!view.present(cell)) return "nothing";
-    const auto values = view.cell(cell);
-    if (values.size() == 1) return number_text(values[0], digits);
-    std::string text = "(";
-    for (const double value : values) text += (text.size() > 1 ? ", " : "") + number_text(value, digits);
-    return text + ")";
+    return view.present(cell) ? row_text(view.cell(cell), digits) : "nothing";
 }
 
 }

@@ -67,6 +67,9 @@ private:
 
 [[nodiscard]] bool all_finite(std::span<const double> values);
 
+/// Equal, or both no number.
+[[nodiscard]] bool equal_or_both_nan(double a, double b);
+
 /// "3.25", "1.6e+06", "nan", "inf", also of what drivers record for these (record/not_finite.hpp): in six significant
 /// digits unless said otherwise. In the most digits, 0 keeps its sign.
 inline constexpr int usual_digits = 6;
@@ -86,7 +89,10 @@ template <class Write>
 /// "1,536": a count of things, not negative, rounded.
 [[nodiscard]] std::string count_text(double count);
 
-/// One number, or "(1, 2, 3)"; "nothing" for an absent cell.
+/// One number, or "(1, 2, 3)".
+[[nodiscard]] std::string row_text(std::span<const double> row, int digits = usual_digits);
+
+/// The same; "nothing" for an absent cell.
 [[nodiscard]] std::string cell_text(const TensorView& view, std::size_t cell, int digits = usual_digits);
 
 }

@@ -65,12 +65,8 @@ Result draw_within(const Wish& wish, const scene::Scene& scene, DrawList list, i
     }
     result.predicted_seconds = before + in_all * result.choice.predicted.seconds;
     const Look again = look_at(stage, setting, every, scrambling + 1);
-    std::vector<double> sparse;
-    for (int y = 0, i = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x, i += 3)
-            if (rays::is_drawn(every, x, y))
-                for (int c = 0; c < 3; ++c) sparse.push_back(picture.shown[static_cast<std::size_t>(i) + c]);
-    result.measured_error = std::hypot(error_between(sparse, again.shown), result.choice.predicted.bias);
+    result.measured_error =
+        std::hypot(error_between(shown_of(stage, picture.frame, every), again.shown), result.choice.predicted.bias);
     result.render_seconds = picture.seconds;
     result.followed = picture.rays;
     result.frame = std::move(picture.frame);

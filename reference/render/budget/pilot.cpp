@@ -24,19 +24,6 @@ void append_shown(std::vector<double>& shown, const glm::vec4& color, const glm:
     for (int i = 0; i < 3; ++i) shown.push_back(encoded(light[i]));
 }
 
-/// Of the pixels that are drawn.
-std::vector<double> shown_of(const Stage& stage, const Frame& frame, int every)
-{
-    std::vector<double> shown;
-    for (int y = 0; y < stage.height; ++y) {
-        const float down = (static_cast<float>(y) + 0.5F) / static_cast<float>(stage.height);
-        const glm::vec3 background = glm::mix(stage.scene.background_top, stage.scene.background_bottom, down);
-        for (int x = 0; x < stage.width; ++x)
-            if (rays::is_drawn(every, x, y)) append_shown(shown, frame.color.at(x, y), background);
-    }
-    return shown;
-}
-
 bool has_mirrors(const scene::Scene& scene)
 {
     return std::ranges::any_of(scene.materials, [](const scene::Material& material) {
@@ -77,6 +64,18 @@ std::vector<Cut> cuts(const Stage& stage, const Setting& whole, int Setting::*kn
     return tried;
 }
 
+}
+
+std::vector<double> shown_of(const Stage& stage, const Frame& frame, int every)
+{
+    std::vector<double> shown;
+    for (int y = 0; y < stage.height; ++y) {
+        const float down = (static_cast<float>(y) + 0.5F) / static_cast<float>(stage.height);
+        const glm::vec3 background = glm::mix(stage.scene.background_top, stage.scene.background_bottom, down);
+        for (int x = 0; x < stage.width; ++x)
+            if (rays::is_drawn(every, x, y)) append_shown(shown, frame.color.at(x, y), background);
+    }
+    return shown;
 }
 
 Look look_at(const Stage& stage, const Setting& setting, int every, std::uint32_t scrambling, int first)

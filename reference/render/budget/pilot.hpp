@@ -29,6 +29,9 @@ struct Look {
     double seconds = 0;
 };
 
+/// What is displayed of a picture, at one pixel in `every`: as Look::shown.
+[[nodiscard]] std::vector<double> shown_of(const Stage& stage, const Frame& frame, int every);
+
 /// Draws one pixel in `every`, all rays spread over their pixels. The rays have the numbers from `first` on: looks of
 /// other numbers are parts of one.
 [[nodiscard]] Look look_at(const Stage& stage, const Setting& setting, int every, std::uint32_t scrambling,
