@@ -219,6 +219,16 @@ AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_
     return answers;
 }
 
+std::string function_asked_most(const AskedAnswers& answers, const QuestionLog& log)
+{
+    std::map<std::string, std::size_t> count;
+    for (const AskedAnswer& one : answers.all)
+        if (const QuestionKind* const kind = one.answer.wrong ? log.kind_of(one.question) : nullptr)
+            ++count[kind->function];
+    const auto most = std::ranges::max_element(count, {}, [](const auto& one) { return one.second; });
+    return most == count.end() ? std::string() : most->first;
+}
+
 std::optional<WrongGroup> first_wrong_group(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
 {
     return asked_answers(worker, asked, seed).first_wrong;

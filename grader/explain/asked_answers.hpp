@@ -63,6 +63,9 @@ struct AskedAnswers {
 /// be run again.
 [[nodiscard]] AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_t seed);
 
+/// The function that most wrong answers were asked of; empty where that is not known.
+[[nodiscard]] std::string function_asked_most(const AskedAnswers& answers, const QuestionLog& log);
+
 /// The first question of which the rows together are wrong, and what is wrong in them: what came in a call stands
 /// beside what was expected of that call, where a table as a whole only shows what is lacking and too much.
 [[nodiscard]] std::optional<WrongGroup> first_wrong_group(Worker& worker, const AskedCheck& asked, std::uint64_t seed);

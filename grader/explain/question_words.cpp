@@ -28,6 +28,8 @@ std::vector<std::string> functions_of(const OtherQuestion& question)
 
 std::string in_words(const OtherQuestion& question, const std::string& headers)
 {
+    if (question.change == left_out)
+        return fmt::format("all calls of {} left out", reflect::last_name(question.function));
     const auto words_of = [&](const std::string& function, const std::string& place) {
         if (function.empty()) return std::string(reflect::last_name(place));
         return in_words(place, parameter_names(headers, function));
@@ -36,7 +38,12 @@ std::string in_words(const OtherQuestion& question, const std::string& headers)
     for (const OtherPlace& one : question.also)
         if (std::string words = words_of(one.function, one.place); std::ranges::find(places, words) == places.end())
             places.push_back(std::move(words));
-    if (question.other.empty()) return fmt::format("{} {}", listed(places), question.change);
+    if (question.other.empty()) {
+        std::string change = question.change;
+        if (const std::size_t its = change.find(" its "); places.size() > 1 && its != std::string::npos)
+            change.replace(its, 5, " their ");
+        return fmt::format("{} {}", listed(places), change);
+    }
     const std::string other = words_of(question.function, question.other);
     if (question.change.empty()) return fmt::format("{} and {} exchanged", places.front(), other);
     return fmt::format("{} {} {}", places.front(), question.change, other);
@@ -49,6 +56,8 @@ std::string sentence(const OtherQuestion& question, const std::string& words)
             "Your results are the right ones for other questions: with {} in all of them. Look at how "
             "your code uses what it is given.",
             words);
+    if (question.change == left_out)
+        return fmt::format("Your results are the right ones with {}. Look at what they should change.", words);
     std::vector<std::string> functions = functions_of(question);
     for (std::string& function : functions) function = reflect::last_name(function);
     return fmt::format(

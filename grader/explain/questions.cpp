@@ -16,6 +16,7 @@
 #include "explain/other_questions.hpp"
 #include "explain/practice_example.hpp"
 #include "explain/question_code.hpp"
+#include "explain/right_with.hpp"
 #include "explain/rows_alone.hpp"
 #include "explain/simplest_question.hpp"
 #include "explain/wrong_dependence.hpp"
@@ -30,8 +31,8 @@ namespace {
 
 /// What wrong answers share is looked for in all checks of a unit together for so long: it is said of one or two.
 constexpr double most_pattern_seconds = 6;
-/// … and what they depend on, of the checks that are shown first.
-constexpr double most_dependence_seconds = 2;
+/// … and what they depend on, until that is known of one.
+constexpr double most_dependence_seconds = 3;
 
 bool fails(const Check& check, const CheckResult& result) { return result.score < check.points; }
 
@@ -139,7 +140,10 @@ public:
         result.told_by_question = shared.of_question;
         (one_.hidden ? result.practice : result.common) = std::move(shared.words);
         if (!one_.hidden) result.common_tells = shared.tells;
-        if (!alone) result.depends = wrong_dependence(worker_, asked, dependence);
+        if (!alone) {
+            result.depends = wrong_dependence(worker_, asked, dependence);
+            add_part(result.depends, right_with(worker_, asked, dependence));
+        }
     }
 
     /// Asks for the code of all that is shown.
@@ -239,13 +243,16 @@ void add_questions(Worker& worker, const Exercise& exercise, const Built& built,
     SpareTime dependence;
     if (!explained) dependence.allow(most_dependence_seconds);
     std::set<bool> shown;  ///< whether they are hidden
+    std::set<bool> told;   ///< … and it is known of one what its answers depend on
     for (const WrongCase& failing : wrong_cases(exercise, cases, result)) {
         CaseQuestions questions(worker, exercise, built, cases, failing.ran->first);
         if (!questions.known()) continue;
         for (const std::size_t i : failing.checks) {
             const bool is_first = shown.insert(exercise.checks[i].hidden).second;
             questions.add(exercise.checks[i], result.checks[i], detail, headers,
-                          explained && !is_first ? no_more : patterns, is_first ? dependence : no_more);
+                          explained && !is_first ? no_more : patterns,
+                          told.contains(exercise.checks[i].hidden) ? no_more : dependence);
+            if (!result.checks[i].depends.empty()) told.insert(exercise.checks[i].hidden);
         }
         questions.write();
     }

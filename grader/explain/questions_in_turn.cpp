@@ -144,7 +144,8 @@ std::vector<OtherQuestion> plain_changes(const QuestionLog& log)
     std::set<Key> known;
     std::vector<OtherQuestion> changes;
     for (const OtherQuestion& one : log.others)
-        if (!one.function.empty() && one.other.empty() && known.insert(key_of(one)).second) changes.push_back(one);
+        if (!one.function.empty() && !one.place.empty() && one.other.empty() && known.insert(key_of(one)).second)
+            changes.push_back(one);
     return changes;
 }
 
@@ -177,6 +178,16 @@ void add_of_objects(const QuestionLog& log, const std::vector<OtherQuestion>& pl
             std::ranges::all_of(same, [&](const OtherQuestion& one) { return one.function == same.front().function; });
         if (!of_one) add_together("the parts called " + name_and_change.first, same, turns);
     }
+}
+
+/// Lists of one function that say together what there is, such as places of lights beside their colours.
+void add_of_lists(const std::vector<OtherQuestion>& plain, AllTurns& turns)
+{
+    std::map<std::pair<std::string, std::string>, std::vector<OtherQuestion>> alike;
+    for (const OtherQuestion& one : plain)
+        if (is_of_list(one)) alike[{one.function, one.change}].push_back(one);
+    for (const auto& [function_and_change, same] : alike)
+        if (same.size() > 1) add_together("the lists of " + function_and_change.first, same, turns);
 }
 
 /// All arguments of a function, if each can be changed as the others can.
@@ -213,6 +224,7 @@ std::vector<QuestionInTurn> questions_in_turn(const QuestionLog& log, const std:
     add_known(log, parameters, turns);
     const std::vector<OtherQuestion> plain = plain_changes(log);
     add_of_objects(log, plain, parameters, turns);
+    add_of_lists(plain, turns);
     add_of_functions(plain, turns);
     return turns.in_turn();
 }
@@ -222,6 +234,13 @@ bool may_change(const QuestionLog& log, const std::string& function, const std::
     if (function == asked) return true;
     const auto changing = log.histories.find(asked);
     return changing != log.histories.end() && std::ranges::find(changing->second, function) != changing->second.end();
+}
+
+bool is_of_list(const OtherQuestion& question)
+{
+    constexpr std::array<std::string_view, 4> changes{"in reverse order", "without its first element",
+                                                      "without its last element", "cut to its first element"};
+    return std::ranges::find(changes, question.change) != changes.end();
 }
 
 int far_fetched(const OtherQuestion& question)

@@ -21,12 +21,15 @@ struct QuestionInTurn {
 /// of the arguments has its turn before another has two, with the likeliest ways to misunderstand it first.
 ///
 /// Beside those that the log knows, parts of several calls are changed alike: what `headers` call alike in all calls
-/// that made or changed an object, and all arguments of a function, if they are of one kind.
+/// that made or changed an object, all lists of a function, and all its arguments, if they are of one kind.
 [[nodiscard]] std::vector<QuestionInTurn> questions_in_turn(const QuestionLog& log, const std::string& headers);
 
 /// May a call of `function` change what a call of `asked` answers? If it is one itself, or made or changed objects that
 /// answer.
 [[nodiscard]] bool may_change(const QuestionLog& log, const std::string& function, const std::string& asked);
+
+/// Is it the elements of a list, or their order, that the question changes?
+[[nodiscard]] bool is_of_list(const OtherQuestion& question);
 
 /// How far-fetched questions are that are believed only where no simpler one explains as much.
 inline constexpr int one_for_another = 3;

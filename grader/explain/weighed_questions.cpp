@@ -6,11 +6,10 @@
 #include <set>
 #include <string_view>
 
+#include "explain/other_answers.hpp"
 #include "explain/question_words.hpp"
 #include "explain/questions_in_turn.hpp"
 #include "judge/explain/thresholds.hpp"
-
-#include <umbral/record/questions.hpp>
 
 namespace umbral::grader {
 namespace {
@@ -115,13 +114,7 @@ void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group
         weigh_all(worker, exercise, group, candidates.subspan(candidates.size() / 2), time);
         return;
     }
-    std::vector<RunOutcome> runs(candidates.size());
-    for (RunOutcome& one : runs) one.verdict = run.verdict;
-    for (const auto& [name, tensor] : run.recording.tensors) {
-        const std::size_t mark = name.find(question_names::of_other);
-        if (mark == std::string::npos || mark == 0) continue;
-        runs.at(std::stoul(name.substr(0, mark))).recording.tensors[name.substr(mark + 1)] = tensor;
-    }
+    const std::vector<RunOutcome> runs = runs_of_others(run, candidates.size());
     const QuestionLog& log = worker.questions(exercise, group.name, group.result->seed);
     for (std::size_t i = 0; i < candidates.size(); ++i) weigh(group, log, runs[i], candidates[i]);
 }

@@ -5,18 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <span>
 
+#include "explain/other_answers.hpp"
 #include "explain/question_words.hpp"
 #include "explain/samples.hpp"
-#include "explain/weighed_questions.hpp"
 #include "judge/judges.hpp"
 #include "question/dependence.hpp"
 #include "question/movable.hpp"
 #include "question/names.hpp"
 
-#include <umbral/record/questions.hpp>
 #include <umbral/record/reflect.hpp>
 
 namespace umbral::grader {
@@ -29,17 +26,6 @@ constexpr std::size_t fresh_place = 11;           ///< of practice inputs, behin
 constexpr std::size_t enough_moved = 8;           ///< answers; of fewer, other cases are asked too
 constexpr std::size_t most_told = 2;              ///< kinds of dependence
 constexpr std::size_t most_named = 3;             ///< numbers of an answer
-
-/// The function that most wrong answers were asked of.
-std::string function_asked_most(const AskedAnswers& answers, const QuestionLog& log)
-{
-    std::map<std::string, std::size_t> count;
-    for (const AskedAnswer& one : answers.all)
-        if (const QuestionKind* const kind = one.answer.wrong ? log.kind_of(one.question) : nullptr)
-            ++count[kind->function];
-    const auto most = std::ranges::max_element(count, {}, [](const auto& one) { return one.second; });
-    return most == count.end() ? std::string() : most->first;
-}
 
 /// What is to be moved: the function's own arguments, and those of the functions that made or changed its objects.
 std::vector<OtherQuestion> moves_of(const QuestionLog& log, const std::string& function)
@@ -89,14 +75,16 @@ public:
             (!all.moved.empty() && answers.components != all.components) || right == nullptr || !well_formed(*right) ||
             !has_single_rows(check, yours, right) || right->cells() * right->components > most_moved_cells)
             return;
-        std::vector<MovedAnswers> moved;
+        std::vector<OtherAnswers> others;
         for (OtherQuestion& move : moves_of(log, function))
-            if (moved.size() < most_moved) moved.push_back({std::move(move)});
-        if (moved.empty()) return;
-        if (expected.cpu_seconds * static_cast<double>(moved.size()) > most_seconds_of_runs) return;
-        const std::size_t at_a_time = questions_of_a_run(asked.exercise, expected);
-        for (std::size_t i = 0; i < moved.size(); i += at_a_time)
-            ask_moved(asked, seed, *right, std::span(moved).subspan(i, std::min(at_a_time, moved.size() - i)));
+            if (others.size() < most_moved) others.push_back({std::move(move)});
+        if (others.empty()) return;
+        if (expected.cpu_seconds * static_cast<double>(others.size()) > most_seconds_of_runs) return;
+        ask_both(worker_, asked, seed, others, time_);
+        std::vector<MovedAnswers> moved;
+        for (OtherAnswers& one : others)
+            moved.push_back({std::move(one.question), numbers_of(tensor_of(one.yours, check.value), *right),
+                             numbers_of(tensor_of(one.right, check.value), *right)});
         add_rows(answers, log, *right, yours, std::move(moved));
         if (named.all.empty()) named = std::move(answers);
     }
@@ -106,32 +94,6 @@ public:
     AnswersToMoves all;
 
 private:
-    /// Asks both with these moves. Where one of them does not come to its end, each half by itself; a move that it
-    /// fails with leaves no numbers. `like`: the right answers.
-    void ask_moved(const AskedCheck& asked, std::uint64_t seed, const Tensor& like, std::span<MovedAnswers> moved)
-    {
-        if (moved.empty() || !time_.is_left()) return;
-        const double before = worker_.run_seconds();
-        Inquiry inquiry;
-        for (const MovedAnswers& each : moved) inquiry.others.push_back(each.move);
-        const Check& check = asked.check;
-        const RunOutcome right = worker_.inquire(asked.exercise, judged_against(check), check.case_name, seed, inquiry);
-        const RunOutcome yours =
-            worker_.run_moved(asked.exercise, asked.runs.built(), check.case_name, seed, inquiry.others, check.value);
-        time_.spend(worker_.run_seconds() - before);
-        if (right.verdict != Verdict::ok || yours.verdict != Verdict::ok) {
-            if (moved.size() == 1) return;
-            ask_moved(asked, seed, like, moved.first(moved.size() / 2));
-            ask_moved(asked, seed, like, moved.subspan(moved.size() / 2));
-            return;
-        }
-        for (std::size_t i = 0; i < moved.size(); ++i) {
-            const std::string name = question_names::with_other(i, check.value);
-            moved[i].right = numbers_of(tensor_of(right, name), like);
-            moved[i].yours = numbers_of(tensor_of(yours, name), like);
-        }
-    }
-
     void add_rows(const AskedAnswers& answers, const QuestionLog& log, const Tensor& right, const Tensor* yours,
                   std::vector<MovedAnswers> moved)
     {
@@ -167,12 +129,12 @@ public:
     {
         std::string text;
         if (one.lacking.empty())
-            text = fmt::format("your answers change with {}, and the right ones do not", words(one.wrongly));
+            text = fmt::format("your wrong answers change with {}, and the right ones do not", words(one.wrongly));
         else if (one.wrongly.empty())
-            text = fmt::format("your answers do not change with {}, and the right ones do", words(one.lacking));
+            text = fmt::format("your wrong answers do not change with {}, and the right ones do", words(one.lacking));
         else
-            text = fmt::format("your answers change with {}, and the right ones with {} instead", words(one.wrongly),
-                               words(one.lacking));
+            text = fmt::format("your wrong answers change with {}, and the right ones with {} instead",
+                               words(one.wrongly), words(one.lacking));
         std::vector<std::string> names;
         for (const std::size_t i : one.components)
             if (i < answers.columns.size()) names.push_back(answers.columns[i]);

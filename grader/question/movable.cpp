@@ -37,6 +37,14 @@ bool is_unit(const QuestionKind& kind, std::string_view place)
            });
 }
 
+/// Has the place, or one that it is a part of, length 1 in all questions?
+bool is_within_unit(const QuestionKind& kind, std::string_view place)
+{
+    for (; !place.empty(); place = outer(place))
+        if (is_unit(kind, place)) return true;
+    return false;
+}
+
 /// Is it a matrix's entry that is 0 in all questions, or 1 in all: what makes it a matrix of its kind?
 bool is_fixed_entry(const QuestionKind& kind, const OtherQuestion& move)
 {
@@ -70,14 +78,17 @@ std::vector<OtherQuestion> movable(const QuestionLog& log, const std::string& fu
         };
         if (is_unit_vector && std::ranges::any_of(unit_vectors, stands_beside)) continue;
         if (is_fixed_entry(*kind, move)) continue;
-        bool is_of_unit = false;
         const std::string part =
             move.place + (move.change.ends_with(']') ? move.change.substr(move.change.find('[')) : "");
-        for (std::string_view place = outer(part); !place.empty(); place = outer(place))
-            is_of_unit = is_of_unit || is_unit(*kind, place);
-        if (!is_of_unit) all.push_back(move);
+        if (!is_within_unit(*kind, outer(part))) all.push_back(move);
     }
     return all;
+}
+
+bool is_of_unit_length(const QuestionLog& log, const OtherQuestion& question)
+{
+    const auto kind = std::ranges::find(log.kinds, question.function, &QuestionKind::function);
+    return kind != log.kinds.end() && is_within_unit(*kind, question.place);
 }
 
 }

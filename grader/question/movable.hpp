@@ -12,4 +12,7 @@ namespace umbral::grader {
 /// vectors of a frame and of a matrix's entries that are 0 or 1 in all of them none.
 [[nodiscard]] std::vector<OtherQuestion> movable(const QuestionLog& log, const std::string& function);
 
+/// Is what the question changes, or something that it is a part of, of length 1 in all calls, as directions are?
+[[nodiscard]] bool is_of_unit_length(const QuestionLog& log, const OtherQuestion& question);
+
 }

@@ -158,7 +158,11 @@ void add_pattern(Block& block, const UnitResult& unit, const std::vector<const C
     const bool vague = shown.common.empty() || is_vague(shown.common_tells);
     if (!shown.common.empty() && !(vague && explained) && !is_told(shown.common_tells, main_reasons(unit)))
         block.sentence("pattern", shown.common);
-    if (!explained && !shown.depends.empty()) block.sentence("depends", shown.depends);
+    const auto depending =
+        std::ranges::find_if(failing, [](const CheckResult* check) { return !check->depends.empty(); });
+    if (!explained && depending != failing.end())
+        block.sentence("depends",
+                       (*depending == &shown ? "" : "in " + (*depending)->name + ": ") + (*depending)->depends);
     if (explained || !vague) return;
     const auto telling = std::ranges::find_if(failing, [&](const CheckResult* check) {
         return check != &shown && !check->common.empty() && !is_vague(check->common_tells);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 #include <kit/scene.hpp>
+#include <kit/script_questions.hpp>
 #include <optional>
 #include <umbral/input/headless.hpp>
 #include <umbral/input/random_script.hpp>
@@ -81,9 +82,10 @@ std::size_t append_commands(Recorder& out, const std::vector<CommandRow>& comman
     return end;
 }
 
-void record(Recorder& out, const input::EventScript& script, glm::ivec2 size,
+void record(Recorder& out, const input::EventScript& events, glm::ivec2 size,
             const input::HeadlessSettings& settings = {}, bool listens = false, int session = 0)
 {
+    const input::EventScript script = script_asked(out, "the session", events);
     struct Moment {
         double time;
         std::size_t rows;  ///< of commands until then
@@ -101,9 +103,9 @@ void record(Recorder& out, const input::EventScript& script, glm::ivec2 size,
     play(script, settings, size, begin, after_wait);
     std::size_t next = 0;
     for (const Moment& moment : moments) {
-        ask_in_words(out, [&] {
-            return told(script, size, settings, listens, moment.time, out.questions()->inquiry().in_full);
-        });
+        ask_in_script(
+            out, "the session", [&] { return events_until(script, moment.time); },
+            [&] { return told(script, size, settings, listens, moment.time, out.questions()->inquiry().in_full); });
         next = append_commands(out, window->rows(), next, moment.rows, session);
     }
 }

@@ -1,3 +1,4 @@
+#include <kit/script_questions.hpp>
 #include <kit/varied.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
@@ -18,9 +19,11 @@ void record(Recorder& out, const NamedLoop& loop, const std::vector<LoopSession>
     out.text("rounds.names", loop_row_names);
     if (counted) out.columns("calls", "calls of glfwPollEvents, calls of glfwWaitEvents");
     float number = 0;
-    for (const LoopSession& session : sessions) {
+    for (LoopSession session : sessions) {
         ++number;
-        ask_in_words(out, [&] { return told(loop, session); });
+        session.script = script_asked(out, loop.name, session.script);
+        ask_in_script(
+            out, loop.name, [&] { return session.script; }, [&] { return told(loop, session); });
         const LoopResult result = play(loop, session);
         for (const LoopRow& row : result.rows) {
             if (!result.stopped.empty() && &row == &result.rows.back()) out.refused("rounds", result.stopped);

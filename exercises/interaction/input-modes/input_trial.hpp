@@ -2,6 +2,7 @@
 
 #include <array>
 #include <kit/input_words.hpp>
+#include <kit/script_questions.hpp>
 #include <string>
 #include <string_view>
 #include <umbral/core/student_error.hpp>
@@ -56,9 +57,9 @@ public:
     /// `session`: from 1 on where a case has several, so that no event of one counts as another's; else 0.
     InputTrial(Recorder& out, const input::EventScript& script, int session = 0)
         : out_(out),
-          script_(script),
+          script_(script_asked(out, "the session", script)),
           number_(session),
-          session_(script, {.pointer = {12, 7.5}, .frame_seconds = 0.25, .polls_after_closing = 20})
+          session_(script_, {.pointer = {12, 7.5}, .frame_seconds = 0.25, .polls_after_closing = 20})
     {
         glfwInit();
         window_ = glfwCreateWindow(640, 480, "Umbral", nullptr, nullptr);
@@ -167,7 +168,8 @@ private:
     /// `ahead`: seconds of the script that lie before the program, and are shown too.
     void tell(const std::string& call, double ahead)
     {
-        ask_in_words(out_, [&] {
+        const auto events = [&] { return events_until(script_, glfwGetTime()); };
+        ask_in_script(out_, "the session", events, [&] {
             const double now = glfwGetTime();
             const bool in_full = out_.questions()->inquiry().in_full;
             return "install_input(window);  // at " + std::to_string(installed_) + " s\n" +

@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <kit/script_questions.hpp>
 #include <span>
 #include <string>
 #include <umbral/input/script.hpp>
@@ -148,16 +149,22 @@ void append_rows(Recorder& out, const input::EventScript& script, glm::dvec2 con
                  float code, const std::string& start = "keep_proportions(window);")
 {
     for (std::size_t i = 0; i < viewer.rows.size(); ++i) {
-        ask_in_words(out, [&] { return session_text(script, content_scale, viewer.moments[i], start); });
+        const auto events = [&] {
+            const std::size_t count = std::min(viewer.moments[i].events, script.size());
+            return input::EventScript(script.begin(), script.begin() + static_cast<std::ptrdiff_t>(count));
+        };
+        ask_in_script(out, "the session", events,
+                      [&] { return session_text(script, content_scale, viewer.moments[i], start); });
         std::vector<float> row = viewer.rows[i];
         row[0] = code;
         out.append("commands", std::span<const float>(row));
     }
 }
 
-void record_commands(Recorder& out, const input::EventScript& script, glm::dvec2 content_scale,
+void record_commands(Recorder& out, const input::EventScript& events, glm::dvec2 content_scale,
                      const std::vector<Box>& contents)
 {
+    const input::EventScript script = script_asked(out, "the session", events);
     LoggedViewer viewer(contents);
     play(script, content_scale, viewer);
     append_rows(out, script, content_scale, viewer, 1);

@@ -199,6 +199,10 @@ struct AskMember {
         }
         if (Changes && known) questions->note_change(name);
         note(*questions, name, all);
+        if constexpr (Changes && std::is_void_v<Result>) {
+            questions->may_leave_out(name);
+            if (questions->leaves_out(name)) return;
+        }
         const EndOfCall end(*questions);
         return answered<Result>(*questions, name, all, [&]() -> Result {
             return std::apply([&](auto&... each) -> Result { return (object.*Function)(each...); }, all);

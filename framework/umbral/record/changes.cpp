@@ -102,6 +102,11 @@ bool AskedInstead::means(std::string_view function) const
     });
 }
 
+bool AskedInstead::leaves_out(std::string_view function) const
+{
+    return change_ == left_out && changed_.front().function == function;
+}
+
 const Part* AskedInstead::Known::among(std::span<const Part> parts)
 {
     if (place && index < parts.size() && !parts[index].of_element && parts[index].place == *place) return &parts[index];

@@ -81,6 +81,9 @@ void add_parts(const Place& place, Value& value, std::vector<Part>& parts, const
 /// Of an other question: the part at `other` is used in place of that at `place`, as well as for itself.
 inline constexpr std::string_view taken_for_another = "taken as";
 
+/// Of an other question: calls of the function, which only change their object, are not made.
+inline constexpr std::string_view left_out = "left out";
+
 /// So many parts are taken for one: those that are declared near it, which is where lines are copied from.
 inline constexpr std::size_t most_taken_for_one = 8;
 
@@ -99,7 +102,7 @@ struct OtherPlace {
 struct OtherQuestion {
     std::string function;
     std::string place;
-    std::string change;  ///< the name of a Change or of a move, or taken_for_another; empty: an exchange
+    std::string change;  ///< the name of a Change or of a move, taken_for_another or left_out; empty: an exchange
     std::string other;
     std::vector<OtherPlace> also{};  ///< changed in the same way at the same time
 
@@ -123,6 +126,8 @@ public:
 
     /// May a call of the function be changed?
     [[nodiscard]] bool means(std::string_view function) const;
+    /// Are calls of the function not made?
+    [[nodiscard]] bool leaves_out(std::string_view function) const;
     /// Changes the parts of a call as the question says; where they have no such place, nothing.
     void change(std::string_view function, std::span<const Part> parts);
 

@@ -13,6 +13,11 @@ constexpr std::size_t most_numbers = std::size_t{1} << 20U;  ///< of features, i
 constexpr std::size_t lines_shown = 12;
 constexpr std::size_t longest_name = 64;
 
+std::string line_of(const OtherQuestion& one)
+{
+    return one.function + '\t' + one.place + '\t' + one.change + '\t' + one.other + '\n';
+}
+
 }
 
 // Never inlined, and never empty for the linker: a breakpoint must find it.
@@ -43,11 +48,14 @@ bool Questions::knows(std::string_view function) const
 void Questions::introduce(std::string_view function, const Features& features, std::span<const Part> parts)
 {
     functions_.push_back({std::string(function), features.names, {}});
-    const auto line = [](const OtherQuestion& one) {
-        return one.function + '\t' + one.place + '\t' + one.change + '\t' + one.other + '\n';
-    };
-    for (const OtherQuestion& one : other_questions(function, parts)) others_ += line(one);
-    for (const OtherQuestion& one : moved_questions(function, parts)) moves_ += line(one);
+    for (const OtherQuestion& one : other_questions(function, parts)) others_ += line_of(one);
+    for (const OtherQuestion& one : moved_questions(function, parts)) moves_ += line_of(one);
+}
+
+void Questions::may_leave_out(std::string_view function)
+{
+    if (!inquiry_.questions || !may_be_left_out_.emplace(function).second) return;
+    others_ += line_of({std::string(function), "", std::string(left_out), ""});
 }
 
 void Questions::set_features(std::string_view function, const Features& features)

@@ -97,6 +97,13 @@ public:
     [[nodiscard]] bool knows(std::string_view function) const;
     /// Takes what the numbers in calls of `function` are called, and what could be asked in place of them. Once.
     void introduce(std::string_view function, const Features& features, std::span<const Part> parts);
+    /// Calls of `function` only change their object: they may be left out. Each time that it is called so.
+    void may_leave_out(std::string_view function);
+    /// Is a call of the function not to be made?
+    [[nodiscard]] bool leaves_out(std::string_view function) const
+    {
+        return instead_ && instead_->leaves_out(function);
+    }
     /// Takes the numbers in the current question, a call of `function`.
     void set_features(std::string_view function, const Features& features);
     /// Are the lists in what `function` answers known by their names?
@@ -166,6 +173,7 @@ private:
     std::string others_;
     std::string moves_;
     std::map<const void*, Object> objects_;
+    std::set<std::string, std::less<>> may_be_left_out_;
     std::set<std::string, std::less<>> changing_;  ///< functions that made objects or changed them
     std::map<std::string, std::set<std::string, std::less<>>, std::less<>> histories_;
     std::size_t lines_ = 0;  ///< of all objects

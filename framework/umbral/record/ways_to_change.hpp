@@ -145,6 +145,7 @@ struct ChangesOf<Vector> {
                 first,
                 std::array{
                     change<Vector>("negated", [](Vector& v) { v = -v; }),
+                    change<Vector>("taken as 1", [](Vector& v) { v = Vector(1); }),
                     change<Vector>("normalised", [](Vector& v) { normalise(v); }),
                     change<Vector>("doubled", [](Vector& v) { v *= 2; }),
                     change<Vector>("halved", [](Vector& v) { v /= 2; }),
@@ -222,6 +223,10 @@ struct ChangesOf<std::vector<Element>> {
             change<List>("beginning with its second element, the first one last",
                          [](List& list) {
                              if (!list.empty()) std::rotate(list.begin(), list.begin() + 1, list.end());
+                         }),
+            change<List>("cut to its first element",
+                         [](List& list) {
+                             if (!list.empty()) list.erase(list.begin() + 1, list.end());
                          }),
             change<List>("with its last element twice",
                          [](List& list) {

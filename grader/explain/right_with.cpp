@@ -1,0 +1,284 @@
+#include "explain/right_with.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string_view>
+
+#include "explain/other_answers.hpp"
+#include "explain/question_words.hpp"
+#include "explain/questions_in_turn.hpp"
+#include "explain/samples.hpp"
+#include "judge/judges.hpp"
+#include "question/movable.hpp"
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::size_t fresh_changes_place =
+    12;  ///< of practice inputs, behind those that dependences are looked for on
+constexpr std::size_t most_changes_tried = 160;   ///< changes
+constexpr double most_seconds_of_changes = 1;     ///< of the reference's runs
+constexpr std::size_t most_changes_told = 2;      ///< changes
+constexpr std::size_t most_changed_places = 3;    ///< with more, it is right nearly everywhere else
+constexpr double most_times_as_far = 2;           ///< beside another: one that changes more says less
+constexpr double most_times_as_far_left_out = 4;  ///< what is left out says more than another number
+constexpr double least_gl_seconds = 0.1;          ///< a run that draws, whatever the processor says
+
+/// Does the change take something away that code can be wrong about, and leave a question that is one still?
+bool takes_away(const OtherQuestion& question)
+{
+    constexpr std::array<std::string_view, 9> known{"taken as 0",
+                                                    "taken as 1",
+                                                    "normalised",
+                                                    "taken as the identity",
+                                                    left_out,
+                                                    "cut to its first element",
+                                                    "with y taken as x",
+                                                    "with z taken as y",
+                                                    "limited to [0, 1]"};
+    const std::string_view change = question.change;
+    return (question.also.empty() || is_of_list(question)) &&
+           (change == taken_for_another || change == "rounded towards 0" || change.starts_with("without ") ||
+            std::ranges::find(known, change) != known.end());
+}
+
+bool leaves_out(const OtherQuestion& question) { return question.change == left_out || is_of_list(question); }
+
+std::size_t different_rows(const Tensor& tensor)
+{
+    std::set<std::vector<std::byte>> rows;
+    const std::size_t size = tensor.components * size_of(tensor.element);
+    for (std::size_t row = 0; row < tensor.cells(); ++row) {
+        const auto bytes = std::span(tensor.bytes).subspan(row * size, size);
+        rows.emplace(bytes.begin(), bytes.end());
+    }
+    return rows.size();
+}
+
+bool is_all_zero(const Tensor& tensor)
+{
+    return std::ranges::all_of(to_doubles(tensor), [](double x) { return x == 0; });
+}
+
+/// Is there about as much to be answered right as there was?
+bool leaves_answers(const Tensor& before, const Tensor& after)
+{
+    return 2 * different_rows(after) > different_rows(before) && (!is_all_zero(after) || is_all_zero(before));
+}
+
+/// How much other answers there are, as a share of their size; 1 where they are not of one form.
+double distance(const Tensor& before, const Tensor& after)
+{
+    const std::vector<double> one = numbers_or_nan(before);
+    const std::vector<double> other = numbers_or_nan(after);
+    if (one.size() != other.size()) return 1;
+    double size = 0;
+    double change = 0;
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        if (!std::isfinite(one[i]) || !std::isfinite(other[i])) continue;
+        size += std::abs(one[i]);
+        change += std::abs(one[i] - other[i]);
+    }
+    return size > 0 ? std::min(change / size, 1.0) : 1;
+}
+
+/// A check with the inputs of one seed: which of its answers are wrong as they were asked.
+struct AskedOnce {
+    std::uint64_t seed;
+    const Tensor* right;
+    std::optional<std::vector<std::size_t>> rows{};  ///< answers of the function; none: the check is judged as a whole
+    std::size_t wrong = 0;
+};
+
+class RightWith {
+public:
+    RightWith(Worker& worker, const AskedCheck& asked, SpareTime& time) : worker_(worker), asked_(asked), time_(time) {}
+
+    [[nodiscard]] std::string words()
+    {
+        const std::optional<AskedOnce> first = asked_at(input_seed(asked_, 0));
+        if (!first || first->wrong == 0) return "";
+        std::vector<OtherAnswers> tried = candidates(*first);
+        fprintf(stderr, "DBG %s f=%s rows=%d wrong=%zu tried=%zu left=%g\n", asked_.check.name.c_str(),
+                function_.c_str(), (int)first->rows.has_value(), first->wrong, tried.size(), time_.left());
+        if (getenv("DBGALL"))
+            for (auto& t : tried) fprintf(stderr, "   ? %s\n", in_words(t.question, asked_.headers).c_str());
+        keep_right(*first, tried);
+        for (auto& t : tried) fprintf(stderr, "   right: %s\n", in_words(t.question, asked_.headers).c_str());
+        keep_nearest(*first, tried);
+        drop_moved(*first, tried);
+        for (auto& t : tried)
+            fprintf(stderr, "   unmoved: %s left %g\n", in_words(t.question, asked_.headers).c_str(), time_.left());
+        if (places_of(tried) > most_changed_places) return "";
+        bool is_confirmed = first->wrong > 1;
+        for (const std::size_t place : {fresh_changes_place, fresh_changes_place + 1}) {
+            const std::optional<AskedOnce> fresh = asked_at(varied_seed(asked_, place));
+            if (!fresh || fresh->wrong == 0) continue;
+            keep_right(*fresh, tried);
+            is_confirmed = true;
+        }
+        if (!is_confirmed || tried.empty() || !time_.is_left()) return "";
+        return told(tried);
+    }
+
+private:
+    [[nodiscard]] std::optional<AskedOnce> asked_at(std::uint64_t seed)
+    {
+        const Check& check = asked_.check;
+        const RunOutcome& expected = worker_.trusted(asked_.exercise, judged_against(check), check.case_name, seed);
+        const RunOutcome& student = asked_.runs.plain(seed);
+        const Tensor* const right = tensor_of(expected, check.value);
+        const Tensor* const yours = observed(check, student);
+        if (expected.verdict != Verdict::ok || student.verdict != Verdict::ok || right == nullptr ||
+            !well_formed(*right) || yours == nullptr || !well_formed(*yours))
+            return std::nullopt;
+        const AskedAnswers answers = asked_answers(worker_, asked_, seed);
+        const QuestionLog& log = questions_at(worker_, asked_, seed);
+        if (function_.empty()) function_ = function_asked_most(answers, log);
+        if (function_.empty() && log.kinds.size() == 1) function_ = log.kinds.front().function;
+        if (function_.empty()) return std::nullopt;
+        AskedOnce once{seed, right};
+        if (has_single_rows(check, yours, right)) {
+            once.rows.emplace();
+            for (const AskedAnswer& answer : answers.all) {
+                const QuestionKind* const kind = log.kind_of(answer.question);
+                if (!answer.row || kind == nullptr || kind->function != function_) continue;
+                once.rows->push_back(*answer.row);
+                once.wrong += answer.answer.wrong ? 1 : 0;
+            }
+        } else {
+            once.wrong = judged_right(*yours, expected) ? 0 : 1;
+        }
+        return once;
+    }
+
+    [[nodiscard]] bool judged_right(const Tensor& yours, const RunOutcome& right) const
+    {
+        const Expected expected = expected_of(asked_.check, right);
+        if (expected.value->rows == 0 || yours.rows == 0) return expected.value->rows == yours.rows;
+        return judge(asked_.check, yours, *expected.value, expected.margin, expected.names).right >= 1;
+    }
+
+    /// Changes of the function's arguments, and of what its objects have their state from.
+    [[nodiscard]] std::vector<OtherAnswers> candidates(const AskedOnce& once)
+    {
+        const QuestionLog& log = questions_at(worker_, asked_, once.seed);
+        const RunOutcome& expected =
+            worker_.trusted(asked_.exercise, judged_against(asked_.check), asked_.check.case_name, once.seed);
+        const bool draws = asked_.exercise.gl && leaves_picture(expected);
+        const double seconds = std::max(expected.cpu_seconds, draws ? least_gl_seconds : 1e-4);
+        const auto most = static_cast<std::size_t>(most_seconds_of_changes / seconds);
+        std::vector<OtherAnswers> all;
+        for (QuestionInTurn& one : questions_in_turn(log, asked_.headers)) {
+            if (all.size() == std::min(most, most_changes_tried)) break;
+            const std::string& of = one.question.function;
+            if (takes_away(one.question) && (of.empty() || may_change(log, of, function_)) &&
+                !is_of_unit_length(log, one.question))
+                all.push_back({std::move(one.question)});
+        }
+        return all;
+    }
+
+    /// Asks, and leaves those with which all answers are right.
+    void keep_right(const AskedOnce& once, std::vector<OtherAnswers>& tried)
+    {
+        for (OtherAnswers& one : tried) one = {std::move(one.question)};
+        ask_both(worker_, asked_, once.seed, tried, time_);
+        std::erase_if(tried, [&](const OtherAnswers& one) { return !makes_right(once, one); });
+    }
+
+    [[nodiscard]] bool makes_right(const AskedOnce& once, const OtherAnswers& one) const
+    {
+        if (!one.answered) return false;
+        const Tensor* const yours = observed(asked_.check, one.yours);
+        const Expected expected = expected_of(asked_.check, one.right);
+        if (yours == nullptr || !well_formed(*yours) || expected.value == nullptr || !well_formed(*expected.value) ||
+            !leaves_answers(*once.right, *expected.value))
+            return false;
+        try {
+            if (!once.rows) return judged_right(*yours, one.right);
+            if (!has_single_rows(asked_.check, yours, expected.value)) return false;
+            const std::vector<RowState> states = single_rows(asked_.check, *yours, expected);
+            return std::ranges::all_of(
+                *once.rows, [&](std::size_t row) { return row < states.size() && states[row] == RowState::right; });
+        } catch (const std::invalid_argument&) {
+            return false;  // what the reference gave cannot be judged
+        }
+    }
+
+    /// What a small change of the same makes right, too, is wrong in single places only: of these, conditions tell.
+    void drop_moved(const AskedOnce& once, std::vector<OtherAnswers>& tried)
+    {
+        const QuestionLog& log = questions_at(worker_, asked_, once.seed);
+        std::vector<OtherAnswers> moved;
+        for (const OtherQuestion& move : log.moves)
+            if (move.change != "moved order" && std::ranges::any_of(tried, [&](const OtherAnswers& one) {
+                    return one.question.function == move.function && one.question.place == move.place;
+                }))
+                moved.push_back({move});
+        keep_right(once, moved);
+        std::erase_if(tried, [&](const OtherAnswers& one) {
+            return std::ranges::any_of(moved, [&](const OtherAnswers& other) {
+                return one.question.function == other.question.function && one.question.place == other.question.place;
+            });
+        });
+    }
+
+    [[nodiscard]] static std::size_t places_of(const std::vector<OtherAnswers>& tried)
+    {
+        std::set<std::pair<std::string, std::string>> places;
+        for (const OtherAnswers& one : tried) places.emplace(one.question.function, one.question.place);
+        return places.size();
+    }
+
+    /// Puts in front what changes the right answers least, which says most, and leaves out what changes far more, and
+    /// what does the same as another.
+    void keep_nearest(const AskedOnce& once, std::vector<OtherAnswers>& tried) const
+    {
+        const auto answers = [&](const OtherAnswers& one) { return tensor_of(one.right, asked_.check.value); };
+        std::vector<std::pair<double, std::size_t>> order;
+        for (std::size_t i = 0; i < tried.size(); ++i)
+            order.emplace_back(distance(*once.right, *answers(tried[i])) /
+                                   (leaves_out(tried[i].question) ? most_times_as_far_left_out : 1),
+                               i);
+        std::ranges::sort(order);
+        for (auto& o : order)
+            fprintf(stderr, "   dist %g %s\n", o.first, in_words(tried[o.second].question, asked_.headers).c_str());
+        std::vector<OtherAnswers> kept;
+        for (const auto& [far, i] : order) {
+            const auto is_like = [&](const OtherAnswers& other) { return *answers(other) == *answers(tried[i]); };
+            if (far <= most_times_as_far * order.front().first && std::ranges::none_of(kept, is_like))
+                kept.push_back(tried[i]);
+        }
+        tried = std::move(kept);
+    }
+
+    [[nodiscard]] std::string told(const std::vector<OtherAnswers>& tried) const
+    {
+        std::string text;
+        for (const OtherAnswers& one : std::span(tried).first(std::min(tried.size(), most_changes_told)))
+            text += (text.empty() ? "" : ", or with ") + in_words(one.question, asked_.headers);
+        return "your answers are right with " + text;
+    }
+
+    Worker& worker_;
+    const AskedCheck& asked_;
+    SpareTime& time_;
+    std::string function_;
+};
+
+}
+
+std::string right_with(Worker& worker, const AskedCheck& asked, SpareTime& time)
+{
+    if (!time.is_left() || asked.check.relation) return "";
+    return RightWith(worker, asked, time).words();
+}
+
+}
