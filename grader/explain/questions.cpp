@@ -142,7 +142,7 @@ public:
         if (!one_.hidden) result.common_tells = shared.tells;
         if (!alone) {
             result.depends = wrong_dependence(worker_, asked, dependence);
-            add_part(result.depends, right_with(worker_, asked, dependence));
+            add_part(result.depends, right_with(changes_that_make_right(worker_, asked, dependence), headers));
         }
     }
 

@@ -100,22 +100,15 @@ class RightWith {
 public:
     RightWith(Worker& worker, const AskedCheck& asked, SpareTime& time) : worker_(worker), asked_(asked), time_(time) {}
 
-    [[nodiscard]] std::string words()
+    [[nodiscard]] std::vector<OtherQuestion> found()
     {
         const std::optional<AskedOnce> first = asked_at(input_seed(asked_, 0));
-        if (!first || first->wrong == 0) return "";
+        if (!first || first->wrong == 0) return {};
         std::vector<OtherAnswers> tried = candidates(*first);
-        fprintf(stderr, "DBG %s f=%s rows=%d wrong=%zu tried=%zu left=%g\n", asked_.check.name.c_str(),
-                function_.c_str(), (int)first->rows.has_value(), first->wrong, tried.size(), time_.left());
-        if (getenv("DBGALL"))
-            for (auto& t : tried) fprintf(stderr, "   ? %s\n", in_words(t.question, asked_.headers).c_str());
         keep_right(*first, tried);
-        for (auto& t : tried) fprintf(stderr, "   right: %s\n", in_words(t.question, asked_.headers).c_str());
         keep_nearest(*first, tried);
         drop_moved(*first, tried);
-        for (auto& t : tried)
-            fprintf(stderr, "   unmoved: %s left %g\n", in_words(t.question, asked_.headers).c_str(), time_.left());
-        if (places_of(tried) > most_changed_places) return "";
+        if (places_of(tried) > most_changed_places) return {};
         bool is_confirmed = first->wrong > 1;
         for (const std::size_t place : {fresh_changes_place, fresh_changes_place + 1}) {
             const std::optional<AskedOnce> fresh = asked_at(varied_seed(asked_, place));
@@ -123,8 +116,19 @@ public:
             keep_right(*fresh, tried);
             is_confirmed = true;
         }
-        if (!is_confirmed || tried.empty() || !time_.is_left()) return "";
-        return told(tried);
+        std::vector<OtherQuestion> changes;
+        for (OtherAnswers& one : tried)
+            if (is_confirmed && changes.size() < most_changes_told) changes.push_back(std::move(one.question));
+        return changes;
+    }
+
+    [[nodiscard]] std::optional<bool> holds(std::uint64_t seed, const OtherQuestion& change)
+    {
+        const std::optional<AskedOnce> once = asked_at(seed);
+        if (!once || once->wrong == 0) return std::nullopt;
+        std::vector<OtherAnswers> tried{{change}};
+        keep_right(*once, tried);
+        return !tried.empty();
     }
 
 private:
@@ -248,8 +252,6 @@ private:
                                    (leaves_out(tried[i].question) ? most_times_as_far_left_out : 1),
                                i);
         std::ranges::sort(order);
-        for (auto& o : order)
-            fprintf(stderr, "   dist %g %s\n", o.first, in_words(tried[o.second].question, asked_.headers).c_str());
         std::vector<OtherAnswers> kept;
         for (const auto& [far, i] : order) {
             const auto is_like = [&](const OtherAnswers& other) { return *answers(other) == *answers(tried[i]); };
@@ -257,14 +259,6 @@ private:
                 kept.push_back(tried[i]);
         }
         tried = std::move(kept);
-    }
-
-    [[nodiscard]] std::string told(const std::vector<OtherAnswers>& tried) const
-    {
-        std::string text;
-        for (const OtherAnswers& one : std::span(tried).first(std::min(tried.size(), most_changes_told)))
-            text += (text.empty() ? "" : ", or with ") + in_words(one.question, asked_.headers);
-        return "your answers are right with " + text;
     }
 
     Worker& worker_;
@@ -275,10 +269,24 @@ private:
 
 }
 
-std::string right_with(Worker& worker, const AskedCheck& asked, SpareTime& time)
+std::vector<OtherQuestion> changes_that_make_right(Worker& worker, const AskedCheck& asked, SpareTime& time)
 {
-    if (!time.is_left() || asked.check.relation) return "";
-    return RightWith(worker, asked, time).words();
+    if (!time.is_left() || asked.check.relation) return {};
+    return RightWith(worker, asked, time).found();
+}
+
+std::string right_with(const std::vector<OtherQuestion>& changes, const std::string& headers)
+{
+    std::string text;
+    for (const OtherQuestion& change : changes)
+        text += (text.empty() ? "your answers are right with " : ", or with ") + in_words(change, headers);
+    return text;
+}
+
+std::optional<bool> is_right_with(Worker& worker, const AskedCheck& asked, std::uint64_t seed,
+                                  const OtherQuestion& change, SpareTime& time)
+{
+    return RightWith(worker, asked, time).holds(seed, change);
 }
 
 }

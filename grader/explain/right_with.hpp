@@ -1,16 +1,27 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "explain/asked_answers.hpp"
 #include "worker/spare_time.hpp"
 
 namespace umbral::grader {
 
-/// "your answers are right with material.specular taken as 0": what makes all wrong answers of a check right when it is
-/// so in all questions, found by asking the student's code and the reference again, with parts of the arguments taken
-/// as 0, left out and the like. Of a hidden case with practice inputs only. Empty if there is nothing of that kind, or
-/// only what leaves hardly anything to be answered. Its runs take from `time`.
-[[nodiscard]] std::string right_with(Worker& worker, const AskedCheck& asked, SpareTime& time);
+/// What makes all wrong answers of a check right when it is so in all questions: parts of the arguments taken as 0,
+/// lists cut, calls and events left out and the like. Found by asking the student's code and the reference again; of a
+/// hidden case with practice inputs only. None if there is nothing of that kind, or only what leaves hardly anything to
+/// be answered. One or two, what changes the right answers least in front. Its runs take from `time`.
+[[nodiscard]] std::vector<OtherQuestion> changes_that_make_right(Worker& worker, const AskedCheck& asked,
+                                                                 SpareTime& time);
+
+/// "your answers are right with material.specular taken as 0"; empty if there are no such changes.
+[[nodiscard]] std::string right_with(const std::vector<OtherQuestion>& changes, const std::string& headers);
+
+/// Does the change make the wrong answers to the inputs of a seed right? Nothing where none is wrong.
+[[nodiscard]] std::optional<bool> is_right_with(Worker& worker, const AskedCheck& asked, std::uint64_t seed,
+                                                const OtherQuestion& change, SpareTime& time);
 
 }

@@ -22,7 +22,7 @@ TEST_F(DependenceOfMatrices, names_the_side_that_an_entry_should_not_change_with
                                     "        if (axis == 1) matrix[3][1] *= sides[1].to - sides[1].from, "
                                     "matrix[3][1] /= sides[0].to - sides[0].from;");
     EXPECT_EQ(depends(result),
-              "in entry (row 1, column 3) your answers change with box.left and box.right, and the right ones do not");
+              "in entry (row 1, column 3) your wrong answers change with box.left and box.right, and the right ones do not");
 }
 
 TEST_F(DependenceOfMatrices, says_nothing_of_a_wrong_sign)
@@ -43,7 +43,7 @@ TEST_F(DependenceOfProducts, names_what_is_not_used)
     const UnitResult result = grade("return static_cast<float>(dot(glm::dvec3(a), glm::dmat3(gram) * glm::dvec3(b)));",
                                     "glm::dmat3 upper(gram);\n    upper[0][1] = upper[0][2] = 0;\n"
                                     "    return static_cast<float>(dot(glm::dvec3(a), upper * glm::dvec3(b)));");
-    EXPECT_TRUE(depends(result).starts_with("your answers do not change with gram[0][1]")) << depends(result);
+    EXPECT_TRUE(depends(result).starts_with("your wrong answers do not change with gram[0][1]")) << depends(result);
 }
 
 // It would be a process of the student's that asks: a crash or an endless loop with other arguments tells nothing, and

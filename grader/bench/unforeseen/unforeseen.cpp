@@ -10,6 +10,7 @@
 #include "explain/common_answer.hpp"
 #include "explain/common_condition.hpp"
 #include "explain/other_questions.hpp"
+#include "explain/right_with.hpp"
 #include "explain/wrong_dependence.hpp"
 #include "model/digest.hpp"
 #include "model/scratch.hpp"
@@ -67,8 +68,7 @@ public:
             if (check.code_place) bug.said.push_back(tried_place(check, line));
         if (!main_reasons(result).empty()) bug.said.push_back(tried_reason(result));
         for (std::size_t i = 0; i < result.checks.size(); ++i) {
-            if (!result.checks[i].depends.empty())
-                bug.said.push_back(tried_dependence(exercise_.checks[i], result.checks[i].depends));
+            if (!result.checks[i].depends.empty()) try_depends(exercise_.checks[i], result.checks[i].depends, bug);
             if (!result.checks[i].common.empty() || !result.checks[i].practice.empty())
                 try_common(exercise_.checks[i], bug);
         }
@@ -139,6 +139,35 @@ private:
             if (!again.empty()) note(sentence, again == depends);
         }
         return sentence;
+    }
+
+    /// Do the changes make wrong answers to other inputs right?
+    ToldSentence tried_changes(const Check& check, const std::vector<OtherQuestion>& changes, const std::string& words)
+    {
+        ToldSentence sentence{ToldSentence::Kind::change, check.name, words};
+        for (const unsigned inputs : other_inputs) {
+            const std::uint64_t seed = options_for(inputs).seeds.seed_of(exercise_, check.case_name);
+            with_asked(check, inputs, [&](const AskedCheck& asked, SpareTime& time) {
+                for (const OtherQuestion& change : changes)
+                    if (const auto holds = is_right_with(worker_, asked, seed, change, time)) note(sentence, *holds);
+            });
+        }
+        return sentence;
+    }
+
+    /// What wrong answers depend on, and what makes them right.
+    void try_depends(const Check& check, std::string depends, UnforeseenBug& bug)
+    {
+        const auto changes = with_asked(check, seen_inputs, [&](const AskedCheck& asked, SpareTime& time) {
+            return changes_that_make_right(worker_, asked, time);
+        });
+        const std::string words = right_with(changes, headers_);
+        if (!words.empty() && depends.ends_with(words)) {
+            bug.said.push_back(tried_changes(check, changes, words));
+            depends.resize(depends.size() - words.size());
+        }
+        if (depends.ends_with("; ")) depends.resize(depends.size() - 2);
+        if (!depends.empty()) bug.said.push_back(tried_dependence(check, depends));
     }
 
     /// What is said of a check's wrong answers.

@@ -21,7 +21,8 @@ struct ToldSentence {
         reason,      ///< "your results are the right ones for twice the angle", or the hint of a known mistake
         condition,   ///< "wrong wherever ray.t_min is positive"
         answer,      ///< "every wrong answer is always 0"
-        dependence,  ///< "your answers change with box.left, and the right ones do not"
+        dependence,  ///< "your wrong answers change with box.left, and the right ones do not"
+        change,      ///< "your answers are right with material.specular taken as 0"
         place        ///< "sphere.cpp:17": holds if that is the changed line or one of two beside it
     };
     Kind kind = Kind::reason;

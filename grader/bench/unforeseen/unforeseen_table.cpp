@@ -25,6 +25,7 @@ struct Counts {
     std::size_t condition = 0;
     std::size_t answer = 0;
     std::size_t dependence = 0;
+    std::size_t change = 0;
     std::size_t place = 0;
     std::size_t elsewhere = 0;  ///< a place that is not the changed one
     std::size_t told = 0;
@@ -52,6 +53,7 @@ Counts counted(const std::vector<UnforeseenBug>& bugs, Meant meant)
         counts.condition += has(ToldSentence::Kind::condition) ? 1 : 0;
         counts.answer += has(ToldSentence::Kind::answer) ? 1 : 0;
         counts.dependence += has(ToldSentence::Kind::dependence) ? 1 : 0;
+        counts.change += has(ToldSentence::Kind::change) ? 1 : 0;
         counts.place += has(ToldSentence::Kind::place) ? 1 : 0;
         counts.elsewhere +=
             std::ranges::any_of(bug.said,
@@ -72,10 +74,10 @@ std::string line(const char* name, const Counts& counts)
     const auto share = [&](std::size_t part) {
         return fmt::format("{:>8} {:>5.1f} %", part, percent(part, counts.all));
     };
-    return fmt::format("{:<22}{:>6}{:>9}{}{}{}{}{}{}{}{}{}{}\n", name, counts.all, counts.stopped,
+    return fmt::format("{:<22}{:>6}{:>9}{}{}{}{}{}{}{}{}{}{}{}\n", name, counts.all, counts.stopped,
                        share(counts.question), share(counts.reason), share(counts.condition), share(counts.answer),
-                       share(counts.dependence), share(counts.place), share(counts.elsewhere), share(counts.told),
-                       share(counts.wrong), share(counts.untried));
+                       share(counts.dependence), share(counts.change), share(counts.place), share(counts.elsewhere),
+                       share(counts.told), share(counts.wrong), share(counts.untried));
 }
 
 std::string listed(const UnforeseenBug& bug, Truth truth)
@@ -97,8 +99,8 @@ bool meets_targets(const std::vector<UnforeseenBug>& bugs)
 std::string unforeseen_table(const std::vector<UnforeseenBug>& bugs)
 {
     std::string text = fmt::format("{:<22}{:>6}{:>9}", "", "bugs", "stopped");
-    for (const char* const heading : {"question", "true reason", "true where", "true what", "true depends", "its line",
-                                      "other line", "any", "false", "untried"})
+    for (const char* const heading : {"question", "true reason", "true where", "true what", "true depends", "true with",
+                                      "its line", "other line", "any", "false", "untried"})
         text += fmt::format("{:>17}", heading);
     text += '\n';
     text += line("one change", counted(bugs, [](const UnforeseenBug& bug) { return !bug.two; }));
