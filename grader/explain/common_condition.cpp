@@ -9,6 +9,7 @@
 #include "explain/other_cases.hpp"
 #include "explain/samples.hpp"
 #include "question/conditions.hpp"
+#include "question/one_sided.hpp"
 #include "worker/spent_on_runs.hpp"
 
 namespace umbral::grader {
@@ -114,7 +115,8 @@ Confirmed confirmed_elsewhere(const Condition& condition, OtherCases& others, co
         };
         const std::size_t holds_not = told.wrong.size() - holds;
         // A single number may be the reason, and make no difference there; what is put together, or fitted, may not.
-        if (!condition.fact || condition.fitted || condition.is_simple) speak_against(holds - wrong_and_holds, holds);
+        if (!condition.one_sided && (!condition.fact || condition.fitted || condition.is_simple))
+            speak_against(holds - wrong_and_holds, holds);
         speak_against(wrong - wrong_and_holds, condition.is_simple ? wrong : holds_not);
         wrong_where += wrong_and_holds;
         right_elsewhere += holds_not - (wrong - wrong_and_holds);
@@ -158,11 +160,25 @@ std::optional<CommonCondition> condition_of(OtherCases& others, Samples& samples
     return CommonCondition{*std::move(condition), of};
 }
 
+/// Where answers are wrong only, though not all of them. Fresh inputs must say the same, and other cases nothing else.
+std::optional<CommonCondition> one_sided_condition_of(OtherCases& others, Samples& samples, ToldSample AskedSample::*of)
+{
+    const ToldSample& seen = samples.seen().*of;
+    if (seen.numbers.empty() || samples.is_fixed()) return std::nullopt;
+    std::optional<Condition> condition = one_sided_condition(seen.facts, seen.wrong);
+    if (!condition || condition->words.starts_with(place_in_call)) return std::nullopt;
+    if (confirmed_by(*condition, samples, of) != Confirmed::yes) return std::nullopt;
+    if (confirmed_elsewhere(*condition, others, samples.seen(), of) == Confirmed::no) return std::nullopt;
+    return CommonCondition{*std::move(condition), of};
+}
+
 /// Of questions that have several answers, or else of answers.
 std::optional<CommonCondition> common_condition(OtherCases& others, Samples& samples)
 {
-    std::optional<CommonCondition> found = condition_of(others, samples, &AskedSample::by_question);
-    return found ? found : condition_of(others, samples, &AskedSample::by_answer);
+    for (const auto find : {condition_of, one_sided_condition_of})
+        for (const auto of : {&AskedSample::by_question, &AskedSample::by_answer})
+            if (std::optional<CommonCondition> found = find(others, samples, of)) return found;
+    return std::nullopt;
 }
 
 /// Does it say how many times the right ones wrong answers are, or that these have the opposite sign?

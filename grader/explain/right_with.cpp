@@ -50,6 +50,17 @@ bool takes_away(const OtherQuestion& question)
 
 bool leaves_out(const OtherQuestion& question) { return question.change == left_out || is_of_list(question); }
 
+/// Numbers and vectors that are equal are a simpler case. Lists and structs that are have nothing left to do.
+bool is_number_or_vector(const QuestionLog& log, const OtherQuestion& question)
+{
+    return std::ranges::any_of(log.kinds, [&](const QuestionKind& kind) {
+        return kind.function == question.function &&
+               std::ranges::any_of(kind.features, [&](const std::string& feature) {
+                   return feature == question.place || feature == question.place + ".x";
+               });
+    });
+}
+
 std::size_t different_rows(const Tensor& tensor)
 {
     std::set<std::vector<std::byte>> rows;
@@ -182,7 +193,9 @@ private:
         for (QuestionInTurn& one : questions_in_turn(log, asked_.headers)) {
             if (all.size() == std::min(most, most_changes_tried)) break;
             const std::string& of = one.question.function;
-            if (takes_away(one.question) && (of.empty() || may_change(log, of, function_)) &&
+            const bool is_list_taken =
+                !of.empty() && one.question.change == taken_for_another && !is_number_or_vector(log, one.question);
+            if (takes_away(one.question) && !is_list_taken && (of.empty() || may_change(log, of, function_)) &&
                 !is_of_unit_length(log, one.question))
                 all.push_back({std::move(one.question)});
         }

@@ -25,14 +25,14 @@ bool is_simple(const PossibleCondition& one, const std::vector<Fact>& facts)
 
 Condition measured(const PossibleCondition& candidate, const std::vector<Fact>& facts, const std::vector<bool>& wrong)
 {
-    Condition condition{candidate.words,
-                        candidate.holds,
-                        candidate.fitted,
-                        candidate.of_answer,
-                        is_simple(candidate, facts),
-                        candidate.fact,
-                        candidate.compares,
-                        {}};
+    Condition condition{.words = candidate.words,
+                        .holds = candidate.holds,
+                        .fitted = candidate.fitted,
+                        .of_answer = candidate.of_answer,
+                        .is_simple = is_simple(candidate, facts),
+                        .fact = candidate.fact,
+                        .compares = candidate.compares,
+                        .also_told_by = {}};
     for (std::size_t i = 0; i < wrong.size(); ++i) {
         const bool holds = candidate.holds(facts, i);
         ++(wrong[i] ? condition.wrong : condition.right);
@@ -205,7 +205,8 @@ std::string told_by(const std::vector<std::string>& others)
 bool parts(const Condition& condition, const std::vector<Fact>& facts, const std::vector<bool>& wrong)
 {
     const Condition again = measured({condition.words, condition.holds, 0}, facts, wrong);
-    return again.wrong > 0 && again.right > 0 && parted(again);
+    if (again.wrong == 0 || again.right == 0) return false;
+    return condition.one_sided ? again.wrong_where == again.wrong && again.right_where < again.right : parted(again);
 }
 
 std::optional<Condition> simplest_condition(const std::vector<Fact>& facts, const std::vector<bool>& wrong)
@@ -226,6 +227,10 @@ std::optional<Condition> simplest_condition(const std::vector<Fact>& facts, cons
 
 std::string sentence_of(const Condition& condition)
 {
+    if (condition.one_sided)
+        return fmt::format("wrong only where {} ({} of {}), right everywhere else ({} of {})", condition.words,
+                           condition.wrong_where, condition.wrong_where + condition.right_where,
+                           condition.right - condition.right_where, condition.right - condition.right_where);
     std::string text =
         fmt::format("wrong wherever {} ({} of {}), right everywhere else ({} of {})", condition.words,
                     condition.wrong_where, condition.wrong, condition.right - condition.right_where, condition.right);

@@ -17,6 +17,7 @@ struct Condition {
     std::function<bool(const std::vector<Fact>& facts, std::size_t question)> holds;
     bool fitted = false;     ///< holds a bound that was put between these very questions
     bool of_answer = false;  ///< tells of the right answer's numbers, and not of the question's alone
+    bool one_sided = false;  ///< answers are wrong only where it holds, but not all of these (one_sided.hpp)
     bool is_simple = false;  ///< tells of one number, length or sign in the question, and of no bound of its own
     std::optional<std::size_t> fact{};  ///< the only one that it looks at, if it is one
     bool compares = false;              ///< sets two numbers of the question beside each other
@@ -32,7 +33,7 @@ struct Condition {
 /// not.
 inline constexpr double least_parted = 0.97;
 
-/// Does `condition` part these questions so well?
+/// Does `condition` part these questions so well? One that is one-sided must hold of all wrong ones.
 [[nodiscard]] bool parts(const Condition& condition, const std::vector<Fact>& facts, const std::vector<bool>& wrong);
 
 /// The simplest condition on the facts that parts the questions for which `wrong` is true from the others; the same of
@@ -42,7 +43,7 @@ inline constexpr double least_parted = 0.97;
                                                           const std::vector<bool>& wrong);
 
 /// "wrong wherever ray.t_min is greater than 0 (201 of 201), right everywhere else (201 of 201)", and what tells them
-/// apart as well.
+/// apart as well. "wrong only where …" if it is one-sided.
 [[nodiscard]] std::string sentence_of(const Condition& condition);
 
 }

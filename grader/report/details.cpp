@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "report/block.hpp"
 #include "report/check_words.hpp"
 #include "report/failing_order.hpp"
 #include "report/hidden.hpp"
@@ -11,11 +12,11 @@
 #include "report/next_steps.hpp"
 #include "report/reasons.hpp"
 #include "report/side_by_side.hpp"
+#include "report/told_reasons.hpp"
 
 namespace umbral::grader {
 namespace {
 
-constexpr int label_width = 10;
 constexpr std::size_t most_lines = 12;
 constexpr std::size_t most_bytes = 4096;
 
@@ -61,28 +62,6 @@ std::vector<std::string> code_lines(std::string_view code, int width, const Pain
     return lines;
 }
 
-/// Collects indented lines; text after a label hangs below itself.
-class Block {
-public:
-    Block(int width, const Paint& paint) : width_(width), paint_(paint) {}
-
-    [[nodiscard]] int room() const { return width_ - 4 - label_width; }
-    void line(std::string_view text) { result_ += fmt::format("    {}\n", text); }
-    void labelled(std::string_view label, const std::vector<std::string>& lines)
-    {
-        for (std::size_t i = 0; i < lines.size(); ++i)
-            line(paint_(Tone::quiet, pad(i == 0 ? label : "", label_width)) + lines[i]);
-    }
-    void sentence(std::string_view label, std::string_view text) { labelled(label, wrap(paint_.safe(text), room())); }
-    void blank() { result_ += '\n'; }
-    [[nodiscard]] std::string take() { return std::move(result_); }
-
-private:
-    int width_;
-    const Paint& paint_;
-    std::string result_;
-};
-
 /// A question that is none of those graded first, and the wrong value that came of it.
 void add_other_question(Block& block, std::string_view label, const Difference& wrong, const Paint& paint)
 {
@@ -116,9 +95,25 @@ bool repeats_first(const CheckResult& check)
     return yours.size() + expected.size() > short_values && holds(yours) && holds(expected);
 }
 
+/// What is observed: "solids" of "two androids/solids".
+std::string_view observed_in(const CheckResult& check)
+{
+    const std::string_view name = check.name;
+    return name.substr(std::min(name.rfind('/'), name.size()));
+}
+
+/// May what a check looks at be the reason? Not where the same is wrong in cases that look at something else.
+bool may_be_reason(const CheckResult& check, const std::vector<const CheckResult*>& failing)
+{
+    return !check.about.empty() && std::ranges::none_of(failing, [&](const CheckResult* other) {
+        return other != &check && !other->held_back && observed_in(*other) == observed_in(check) &&
+               other->about != check.about;
+    });
+}
+
 /// `told` stands above it: what the check only repeats of it is left out. Where no reason is known, what the check
-/// looks at may be one.
-void add_first_failing(Block& block, const CheckResult& check, std::string_view told, bool explained,
+/// looks at may be one: `is_reason`.
+void add_first_failing(Block& block, const CheckResult& check, std::string_view told, bool is_reason,
                        const Paint& paint)
 {
     const std::string words = words_and_points(check);
@@ -126,7 +121,7 @@ void add_first_failing(Block& block, const CheckResult& check, std::string_view 
     block.labelled("check", {fmt::format("{}  {}", paint(Tone::strong, name), words)});
     const std::string& message = repeats_first(check) && !check.headline.empty() ? check.headline : check.message;
     if (told.find(message) == std::string_view::npos) block.labelled("", excerpt(message, block.room(), paint));
-    if (!explained && !check.about.empty()) block.sentence("", "Looks at: " + check.about);
+    if (is_reason) block.sentence("", "Looks at: " + check.about);
     if (check.first_difference) {
         block.sentence("first", check.first_difference->where);
         block.labelled("", side_by_side(*check.first_difference, block.room(), paint));
@@ -136,74 +131,7 @@ void add_first_failing(Block& block, const CheckResult& check, std::string_view 
     if (check.simplest) add_other_question(block, "simplest", *check.simplest, paint);
     block.labelled("there", wrap(paint.safe_lines(check.sketch), block.room()));
     for (const auto& [kind, path] : check.artefacts)
-        block.sentence(shorten(paint.safe(kind), label_width - 2, paint.ellipsis()), path);
-}
-
-/// Does the reason that is given say the same of wrong answers: that they are so many times the right ones, or negated?
-bool is_told(CommonTells tells, std::span<const Explanation> reasons)
-{
-    const auto given = [&](std::string_view name) {
-        return std::ranges::find(reasons, name, &Explanation::name) != reasons.end();
-    };
-    return (tells == CommonTells::multiple && given("scaled")) || (tells == CommonTells::opposite && given("negated"));
-}
-
-/// What wrong answers have in common, of the check that is shown; and where no reason is known and that is nothing, or
-/// only where they lie, of the first other that tells what they are.
-void add_pattern(Block& block, const UnitResult& unit, const std::vector<const CheckResult*>& failing)
-{
-    if (failing.empty()) return;
-    const bool explained = !main_reasons(unit).empty();
-    const CheckResult& shown = *failing.front();
-    const bool vague = shown.common.empty() || is_vague(shown.common_tells);
-    if (!shown.common.empty() && !(vague && explained) && !is_told(shown.common_tells, main_reasons(unit)))
-        block.sentence("pattern", shown.common);
-    const auto depending =
-        std::ranges::find_if(failing, [](const CheckResult* check) { return !check->depends.empty(); });
-    if (!explained && depending != failing.end())
-        block.sentence("depends",
-                       (*depending == &shown ? "" : "in " + (*depending)->name + ": ") + (*depending)->depends);
-    if (explained || !vague) return;
-    const auto telling = std::ranges::find_if(failing, [&](const CheckResult* check) {
-        return check != &shown && !check->common.empty() && !is_vague(check->common_tells);
-    });
-    if (telling != failing.end())
-        block.sentence(shown.common.empty() ? "pattern" : "",
-                       fmt::format("in {}: {}", (*telling)->name, (*telling)->common));
-}
-
-/// The line of the student's own file where wrong answers part from right ones, of the first check of which it is
-/// known.
-void add_code_place(Block& block, const UnitResult& unit, const CheckResult* shown, const Paint& paint)
-{
-    const auto known =
-        std::ranges::find_if(unit.checks, [](const CheckResult& one) { return one.code_place.has_value(); });
-    if (known == unit.checks.end()) return;
-    const CodePlace& place = *known->code_place;
-    const std::string of_check = known->hidden      ? "on practice inputs, "
-                                 : &*known == shown ? ""
-                                                    : fmt::format("in {}, ", known->name);
-    block.sentence("code", fmt::format("{}:{}", place.file, place.line));
-    const std::string text = paint.safe(place.text);
-    block.labelled("", {"  " + shorten(text, block.room() - 2, paint.ellipsis())});
-    if (display_width(text) + 2 <= block.room() && place.column > 1) {
-        const std::string before =
-            paint.safe(std::string_view(place.text).substr(0, static_cast<std::size_t>(place.column) - 1));
-        block.labelled(
-            "", {std::string(static_cast<std::size_t>(display_width(before)) + 2, ' ') + paint(Tone::quiet, "^")});
-    }
-    block.sentence("", of_check + place.sentence);
-}
-
-void add_reasons(Block& block, const UnitResult& unit)
-{
-    const char* label = "why";
-    for (std::string sentence : reason_sentences(unit.explanations)) {
-        // Hints are written in Markdown.
-        for (std::size_t at = 0; (at = sentence.find("**", at)) != std::string::npos;) sentence.erase(at, 2);
-        block.sentence(label, sentence);
-        label = "";
-    }
+        block.sentence(shorten(paint.safe(kind), Block::label_width - 2, paint.ellipsis()), path);
 }
 
 /// The visible checks that fail: the first is the one to look at.
@@ -240,13 +168,14 @@ void add_others(Block& block, const UnitResult& unit, const std::vector<const Ch
         block.sentence(i == 0 ? "hidden" : "", hidden[i]->name + ": " + words_and_points(*hidden[i]));
         // Once for all that a line of the statement is about.
         const bool last = i + 1 == hidden.size() || hidden[i + 1]->about != hidden[i]->about;
-        if (last && !hidden[i]->about.empty()) block.sentence("", "Looks at: " + hidden[i]->about);
+        if (last && may_be_reason(*hidden[i], failing)) block.sentence("", "Looks at: " + hidden[i]->about);
         const auto end = hidden.begin() + static_cast<std::ptrdiff_t>(i);
         const bool told =
             std::any_of(hidden.begin(), end,
                         [&](const CheckResult* other) { return other->practice == hidden[i]->practice; }) ||
             (!failing.empty() && failing.front()->common == hidden[i]->practice);
-        if (failing.empty() && !hidden[i]->depends.empty())
+        if (std::ranges::all_of(failing, [](const CheckResult* check) { return check->depends.empty(); }) &&
+            !hidden[i]->depends.empty())
             block.sentence("", "On practice inputs, " + hidden[i]->depends);
         if (!told && !hidden[i]->practice.empty()) block.sentence("", "On practice inputs: " + hidden[i]->practice);
     }
@@ -280,7 +209,9 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint, 
     const bool ran = !never_ran(unit.verdict);
     block.labelled(ran ? "note" : "", excerpt(unit.message, block.room(), paint));
     if (ran) add_last_question(block, unit, shown, paint);
-    if (ran && shown != nullptr) add_first_failing(block, *shown, unit.message, !main_reasons(unit).empty(), paint);
+    if (ran && shown != nullptr)
+        add_first_failing(block, *shown, unit.message, main_reasons(unit).empty() && may_be_reason(*shown, failing),
+                          paint);
     if (shown == nullptr && hidden_fails)
         block.sentence(
             "check",
