@@ -28,8 +28,11 @@ std::vector<std::string> functions_of(const OtherQuestion& question)
 
 std::string in_words(const OtherQuestion& question, const std::string& headers)
 {
-    if (question.change == left_out)
-        return fmt::format("all calls of {} left out", reflect::last_name(question.function));
+    if (question.change == left_out) {
+        std::vector<std::string> functions = functions_of(question);
+        for (std::string& function : functions) function = reflect::last_name(function);
+        return fmt::format("all calls of {} left out", listed(functions));
+    }
     const auto words_of = [&](const std::string& function, const std::string& place) {
         if (function.empty()) return std::string(reflect::last_name(place));
         return in_words(place, parameter_names(headers, function));

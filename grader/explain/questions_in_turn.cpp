@@ -190,6 +190,18 @@ void add_of_lists(const std::vector<OtherQuestion>& plain, AllTurns& turns)
         if (same.size() > 1) add_together("the lists of " + function_and_change.first, same, turns);
 }
 
+/// Calls of two functions left out: what is set by one may be used as what is set by the other.
+void add_left_out(const QuestionLog& log, AllTurns& turns)
+{
+    std::vector<OtherQuestion> all;
+    for (const OtherQuestion& one : log.others)
+        if (one.change == left_out) all.push_back(one);
+    constexpr std::size_t most = 5;  ///< functions of which pairs are tried
+    for (std::size_t i = 0; i < std::min(all.size(), most); ++i)
+        for (std::size_t j = i + 1; j < std::min(all.size(), most); ++j)
+            add_together("calls left out", std::array{all[i], all[j]}, turns);
+}
+
 /// All arguments of a function, if each can be changed as the others can.
 void add_of_functions(const std::vector<OtherQuestion>& plain, AllTurns& turns)
 {
@@ -225,6 +237,7 @@ std::vector<QuestionInTurn> questions_in_turn(const QuestionLog& log, const std:
     const std::vector<OtherQuestion> plain = plain_changes(log);
     add_of_objects(log, plain, parameters, turns);
     add_of_lists(plain, turns);
+    add_left_out(log, turns);
     add_of_functions(plain, turns);
     return turns.in_turn();
 }

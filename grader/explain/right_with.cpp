@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -30,25 +31,25 @@ constexpr double most_times_as_far = 2;           ///< beside another: one that 
 constexpr double most_times_as_far_left_out = 4;  ///< what is left out says more than another number
 constexpr double least_gl_seconds = 0.1;          ///< a run that draws, whatever the processor says
 
-/// Does the change take something away that code can be wrong about, and leave a question that is one still?
-bool takes_away(const OtherQuestion& question)
-{
-    constexpr std::array<std::string_view, 9> known{"taken as 0",
-                                                    "taken as 1",
-                                                    "normalised",
-                                                    "taken as the identity",
-                                                    left_out,
-                                                    "cut to its first element",
-                                                    "with y taken as x",
-                                                    "with z taken as y",
-                                                    "limited to [0, 1]"};
-    const std::string_view change = question.change;
-    return (question.also.empty() || is_of_list(question)) &&
-           (change == taken_for_another || change == "rounded towards 0" || change.starts_with("without ") ||
-            std::ranges::find(known, change) != known.end());
-}
-
 bool leaves_out(const OtherQuestion& question) { return question.change == left_out || is_of_list(question); }
+
+/// Whether the change takes something away that code can be wrong about, and leaves a question that is one still: its
+/// place among those that do, the likeliest first.
+std::optional<int> rank(const OtherQuestion& question)
+{
+    constexpr std::array<std::string_view, 3> neutral{"taken as 0", "taken as 1", "taken as the identity"};
+    constexpr std::array<std::string_view, 3> simpler{"normalised", "limited to [0, 1]", "rounded towards 0"};
+    constexpr std::array<std::string_view, 2> equal{"with y taken as x", "with z taken as y"};
+    const std::string_view change = question.change;
+    const auto is_one_of = [&](const auto& all) { return std::ranges::find(all, change) != all.end(); };
+    if (change == "in reverse order") return std::nullopt;
+    if (leaves_out(question)) return 0;
+    if (!question.also.empty()) return std::nullopt;
+    if (is_one_of(neutral)) return 0;
+    if (is_one_of(simpler) || change.starts_with("without ")) return 1;
+    if (is_one_of(equal)) return 2;
+    return change == taken_for_another ? std::optional(3) : std::nullopt;
+}
 
 /// Numbers and vectors that are equal are a simpler case. Lists and structs that are have nothing left to do.
 bool is_number_or_vector(const QuestionLog& log, const OtherQuestion& question)
@@ -99,6 +100,19 @@ double distance(const Tensor& before, const Tensor& after)
     return size > 0 ? std::min(change / size, 1.0) : 1;
 }
 
+/// The function that most rows of a value are answers of, or the only one that is asked.
+std::string function_behind(const QuestionLog& log, const std::string& value)
+{
+    std::map<std::string, std::size_t> rows;
+    if (const auto found = log.rows.find(value); found != log.rows.end())
+        for (const std::uint32_t question : found->second)
+            if (const QuestionKind* const kind = question > 0 ? log.kind_of(question - 1) : nullptr)
+                ++rows[kind->function];
+    const auto most = std::ranges::max_element(rows, {}, [](const auto& one) { return one.second; });
+    if (most != rows.end()) return most->first;
+    return log.kinds.size() == 1 ? log.kinds.front().function : "";
+}
+
 /// A check with the inputs of one seed: which of its answers are wrong as they were asked.
 struct AskedOnce {
     std::uint64_t seed;
@@ -124,7 +138,7 @@ public:
         for (const std::size_t place : {fresh_changes_place, fresh_changes_place + 1}) {
             const std::optional<AskedOnce> fresh = asked_at(varied_seed(asked_, place));
             if (!fresh || fresh->wrong == 0) continue;
-            keep_right(*fresh, tried);
+            keep_right(*fresh, tried, is_confirmed);
             is_confirmed = true;
         }
         std::vector<OtherQuestion> changes;
@@ -156,7 +170,7 @@ private:
         const AskedAnswers answers = asked_answers(worker_, asked_, seed);
         const QuestionLog& log = questions_at(worker_, asked_, seed);
         if (function_.empty()) function_ = function_asked_most(answers, log);
-        if (function_.empty() && log.kinds.size() == 1) function_ = log.kinds.front().function;
+        if (function_.empty()) function_ = function_behind(log, check.value);
         if (function_.empty()) return std::nullopt;
         AskedOnce once{seed, right};
         if (has_single_rows(check, yours, right)) {
@@ -189,30 +203,36 @@ private:
         const bool draws = asked_.exercise.gl && leaves_picture(expected);
         const double seconds = std::max(expected.cpu_seconds, draws ? least_gl_seconds : 1e-4);
         const auto most = static_cast<std::size_t>(most_seconds_of_changes / seconds);
-        std::vector<OtherAnswers> all;
+        std::vector<std::pair<int, OtherQuestion>> likely;
         for (QuestionInTurn& one : questions_in_turn(log, asked_.headers)) {
-            if (all.size() == std::min(most, most_changes_tried)) break;
             const std::string& of = one.question.function;
             const bool is_list_taken =
                 !of.empty() && one.question.change == taken_for_another && !is_number_or_vector(log, one.question);
-            if (takes_away(one.question) && !is_list_taken && (of.empty() || may_change(log, of, function_)) &&
+            const std::optional<int> place = rank(one.question);
+            if (place && !is_list_taken && (of.empty() || may_change(log, of, function_)) &&
                 !is_of_unit_length(log, one.question))
-                all.push_back({std::move(one.question)});
+                likely.emplace_back(*place, std::move(one.question));
         }
+        std::ranges::stable_sort(likely, {}, &std::pair<int, OtherQuestion>::first);
+        likely.resize(std::min({likely.size(), most, most_changes_tried}));
+        std::vector<OtherAnswers> all;
+        for (auto& [place, question] : likely) all.push_back({std::move(question)});
         return all;
     }
 
-    /// Asks, and leaves those with which all answers are right.
-    void keep_right(const AskedOnce& once, std::vector<OtherAnswers>& tried)
+    /// Asks, and leaves those with which all answers are right; and where that is `confirmed`, those for which there is
+    /// no time.
+    void keep_right(const AskedOnce& once, std::vector<OtherAnswers>& tried, bool confirmed = false)
     {
         for (OtherAnswers& one : tried) one = {std::move(one.question)};
         ask_both(worker_, asked_, once.seed, tried, time_);
-        std::erase_if(tried, [&](const OtherAnswers& one) { return !makes_right(once, one); });
+        const bool is_kept = confirmed && !time_.is_left();
+        std::erase_if(tried,
+                      [&](const OtherAnswers& one) { return one.answered ? !makes_right(once, one) : !is_kept; });
     }
 
     [[nodiscard]] bool makes_right(const AskedOnce& once, const OtherAnswers& one) const
     {
-        if (!one.answered) return false;
         const Tensor* const yours = observed(asked_.check, one.yours);
         const Expected expected = expected_of(asked_.check, one.right);
         if (yours == nullptr || !well_formed(*yours) || expected.value == nullptr || !well_formed(*expected.value) ||

@@ -146,9 +146,10 @@ public:
 private:
     [[nodiscard]] std::string word(const MovedPlace& one) const
     {
-        std::string text = (one.is_length  ? "the length of "
-                            : one.is_order ? "the order of "
-                                           : "") +
+        std::string text = (one.is_length    ? "the length of "
+                            : one.is_order   ? "the order of "
+                            : one.is_corners ? "which corner comes first in each of "
+                                             : "") +
                            in_words(one.place, parameter_names(headers_, one.function));
         if (one.function != function_) text += " of " + std::string(reflect::last_name(one.function));
         return text;

@@ -142,8 +142,9 @@ MovedPlace place_of(const OtherQuestion& move)
     if (what.starts_with(' ')) what.remove_prefix(1);
     const bool is_length = what == "length";
     const bool is_order = what == "order";
-    if (what == "direction" || is_length || is_order) what = {};
-    return {move.function, move.place + std::string(what), is_length, is_order};
+    const bool is_corners = what == "corners";
+    if (what == "direction" || is_length || is_order || is_corners) what = {};
+    return {move.function, move.place + std::string(what), is_length, is_order, is_corners};
 }
 
 /// The vector that a component is one of; nothing if it is none.

@@ -29,9 +29,10 @@ struct AnswersToMoves {
 /// Something that an answer changes with, of the arguments of a function.
 struct MovedPlace {
     std::string function;
-    std::string place;       ///< as in OtherQuestion, with what is moved of it behind: "1.axis", "0.size.x"
-    bool is_length = false;  ///< only the length of the vector there
-    bool is_order = false;   ///< only the order of the list there
+    std::string place;        ///< as in OtherQuestion, with what is moved of it behind: "1.axis", "0.size.x"
+    bool is_length = false;   ///< only the length of the vector there
+    bool is_order = false;    ///< only the order of the list there
+    bool is_corners = false;  ///< only which corner each triangle of the list there begins with
 
     friend auto operator<=>(const MovedPlace&, const MovedPlace&) = default;
 };

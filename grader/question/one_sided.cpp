@@ -10,8 +10,9 @@ namespace {
 
 constexpr std::size_t least_wrong_there = 8;
 constexpr std::size_t least_right_elsewhere = 12;
-constexpr double most_right_where = 0.6;  ///< of the right answers
-constexpr double most_chance = 1e-5;      ///< that all wrong answers lie there: there are hundreds of conditions
+constexpr double most_right_where = 0.6;   ///< of the right answers
+constexpr double most_of_component = 0.4;  ///< … where it tells of one of a vector's: these are 0 for many a reason
+constexpr double most_chance = 1e-5;       ///< that all wrong answers lie there: there are hundreds of conditions
 constexpr double about_as_few = 1.2;
 
 /// The share of right answers for which it holds; nothing where it does not hold of all wrong ones, or may be chance.
@@ -29,7 +30,10 @@ std::optional<double> right_where(const PossibleCondition& candidate, const std:
     if (right - where < least_right_elsewhere) return std::nullopt;
     const double share = static_cast<double>(where) / static_cast<double>(right);
     const double chance = std::pow(std::max(share, 0.05), static_cast<double>(wrong.size() - right));
-    return share <= most_right_where && chance <= most_chance ? std::optional(share) : std::nullopt;
+    const bool is_component = candidate.fact && facts[*candidate.fact].component;
+    return share <= (is_component ? most_of_component : most_right_where) && chance <= most_chance
+               ? std::optional(share)
+               : std::nullopt;
 }
 
 }

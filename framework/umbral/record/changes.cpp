@@ -104,7 +104,7 @@ bool AskedInstead::means(std::string_view function) const
 
 bool AskedInstead::leaves_out(std::string_view function) const
 {
-    return change_ == left_out && changed_.front().function == function;
+    return change_ == left_out && std::ranges::find(changed_, function, &Changed::function) != changed_.end();
 }
 
 const Part* AskedInstead::Known::among(std::span<const Part> parts)

@@ -78,6 +78,7 @@ requires(std::is_integral_v<Number> && !std::is_same_v<Number, bool>) struct Cha
         change<Number>("one larger", [](Number& x) { ++x; }),
         change<Number>("one smaller", [](Number& x) { x = x > 0 ? x - 1 : x; }),
         change<Number>("taken as 0", [](Number& x) { x = 0; }),
+        change<Number>("taken as 1", [](Number& x) { x = 1; }),
         change<Number>("doubled", [](Number& x) { x = static_cast<Number>(x * 2); }),
         change<Number>("halved", [](Number& x) { x = static_cast<Number>(x / 2); }),
     };

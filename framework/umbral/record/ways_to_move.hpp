@@ -12,7 +12,8 @@
 
 /// Small changes of an argument, by which it shows what an answer depends on: whoever uses it answers otherwise.
 /// A name says what of the argument is moved: "moved" all of it, "moved .x" its x, "moved [2]" an element, "moved
-/// length" and "moved direction" nothing else of a vector, "moved order" nothing else of a list.
+/// length" and "moved direction" nothing else of a vector, "moved order" nothing else of a list, "moved corners" which
+/// corner each triangle of a list begins with.
 namespace umbral::detail {
 
 /// By a sixteenth: more than rounding, and hardly out of the range that a unit allows. Nothing becomes 0.
@@ -163,6 +164,16 @@ constexpr bool holds_whole_numbers()
 template <class List>
 inline constexpr std::array order_moved{
     change<List>("moved order", [](List& list) { std::reverse(list.begin(), list.end()); })};
+
+/// Of triangles neither their order nor which of its corners a triangle begins with should matter, but to what is
+/// numbered so.
+template <>
+struct MovesOf<std::vector<glm::uvec3>> {
+    using List = std::vector<glm::uvec3>;
+    static constexpr auto all = joined(order_moved<List>, std::array{change<List>("moved corners", [](List& list) {
+                                           for (glm::uvec3& corners : list) corners = {corners.y, corners.z, corners.x};
+                                       })});
+};
 
 /// Where elements are meant by their numbers, another order is another thing, on which code may not come to an end.
 template <class Element>
