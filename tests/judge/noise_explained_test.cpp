@@ -25,7 +25,27 @@ TEST(Noise, words_name_the_worst_place)
     EXPECT_EQ(named.message.rfind("The lamp is 10 % too low on average over 400 rows", 0), 0U) << named.message;
     EXPECT_EQ(judge(check, lamp, expected, nullptr).message.rfind("Component 2 is 10 % too low", 0), 0U);
     ASSERT_TRUE(named.first_difference);
-    EXPECT_EQ(named.first_difference->where, "mean of component 2");
+    EXPECT_EQ(named.first_difference->where, "The lamp, on average");
+    EXPECT_TRUE(named.message.ends_with(". The 3 others are right.")) << named.message;
+}
+
+TEST(Noise, words_name_what_is_off_beside_the_worst)
+{
+    Random random(seed);
+    const Tensor expected = estimates(random);
+    const Tensor names = text("0 The floor\n1 The wall\n2 The lamp\n3 The corner\n");
+    Tensor darker = expected;
+    for (std::size_t row = 0; row < 400; ++row)
+        for (const std::size_t component : {0U, 2U}) {
+            double value = 0;
+            std::memcpy(&value, darker.bytes.data() + (4 * row + component) * sizeof value, sizeof value);
+            value *= component == 0 ? 0.75 : 0.5;
+            std::memcpy(darker.bytes.data() + (4 * row + component) * sizeof value, &value, sizeof value);
+        }
+    const std::string message = judge(check, darker, expected, nullptr, &names).message;
+    EXPECT_TRUE(message.ends_with("Of the 3 others 1 is off as well: the floor by -25 %.") ||
+                message.ends_with("Of the 3 others 1 is off as well: the lamp by -50 %."))
+        << message;
 }
 
 TEST(Noise, a_mistake_is_known_by_its_light)

@@ -9,6 +9,7 @@
 
 #include "judge/events/events.hpp"
 #include "judge/explain/thresholds.hpp"
+#include "judge/noise/other_means.hpp"
 #include "judge/noise/rule.hpp"
 #include "judge/parameters.hpp"
 #include "judge/picture/picture.hpp"
@@ -39,18 +40,32 @@ double credit_for(double misplaced)
     return std::clamp(share, 0.0, thresholds::noise_most);
 }
 
-std::string quantity_name(const Tensor* names, int component)
+std::vector<std::string> quantity_names(const Tensor* names, int quantities)
 {
     const auto known = event_names(text_of(names));
-    const auto found = known.find(component);
-    return found == known.end() ? std::string() : found->second;
+    std::vector<std::string> all(static_cast<std::size_t>(std::max(quantities, 0)));
+    for (int i = 0; i < quantities; ++i)
+        if (const auto found = known.find(i); found != known.end()) all[static_cast<std::size_t>(i)] = found->second;
+    return all;
 }
 
-Difference worst_tile(const StochasticRule& rule)
+/// What is farthest off, and of a table what of the others is.
+std::string in_words(const StochasticRule& rule, const Estimates& yours, const Estimates& expected,
+                     const Forgiven& forgiven, const std::vector<std::string>& names)
 {
-    const std::string where = rule.tiled ? fmt::format("mean light of the {} x {} pixels from ({}, {})", rule.width,
-                                                       rule.height, rule.x, rule.y)
-                                         : fmt::format("mean of component {}", rule.channel);
+    std::string text = rule.message(rule.tiled ? "" : names.at(static_cast<std::size_t>(rule.channel)));
+    const std::string others =
+        text.empty() || rule.tiled ? "" : others_in_words(yours, expected, rule.channel, forgiven, names);
+    return others.empty() ? text : text + '.' + others;
+}
+
+Difference worst_tile(const StochasticRule& rule, const std::vector<std::string>& names)
+{
+    const std::string name = rule.tiled ? "" : names.at(static_cast<std::size_t>(rule.channel));
+    const std::string where = rule.tiled     ? fmt::format("mean light of the {} x {} pixels from ({}, {})", rule.width,
+                                                           rule.height, rule.x, rule.y)
+                              : name.empty() ? fmt::format("mean of component {}", rule.channel)
+                                             : name + ", on average";
     return {where, number_text(rule.yours), number_text(rule.expected)};
 }
 
@@ -98,7 +113,9 @@ Judgement judge_noise(const Check& check, const Tensor& student, const Tensor& e
         return same;
     }
     const Estimates yours = estimates_of(check, student);
-    StochasticRule rule = apply_stochastic_rule(yours, target, forgiven_by(check, expected));
+    const Forgiven forgiven = forgiven_by(check, expected);
+    const std::vector<std::string> quantities = quantity_names(names, target.channels);
+    StochasticRule rule = apply_stochastic_rule(yours, target, forgiven);
     rule.agree = rule.probability >= check_alpha();
     // What scatters apart by a bias shows it: at least a third of the light then lies in the wrong place, beyond noise.
     const double scatter = hiding_scatter(yours, target);
@@ -108,7 +125,7 @@ Judgement judge_noise(const Check& check, const Tensor& student, const Tensor& e
     const bool apart = may_hide && !too_wide && scatters_apart(yours, target);
     // One quantity of several that is far off: it earns no more, but is told as what it is.
     if (apart && !rule.agree && is_far_off(yours, target))
-        return wrong(rule.message(quantity_name(names, rule.channel)));
+        return wrong(in_words(rule, yours, target, forgiven, quantities));
     if (too_wide || apart)
         return wrong(
             "The estimates scatter far more than the reference's, so that their mean proves nothing: take as many "
@@ -118,7 +135,7 @@ Judgement judge_noise(const Check& check, const Tensor& student, const Tensor& e
     Judgement result;
     result.right = rule.agree ? 1 : credit_for(rule.misplaced);
     result.error = rule.misplaced;
-    result.message = rule.message(quantity_name(names, rule.channel));
+    result.message = in_words(rule, yours, target, forgiven, quantities);
     result.metrics = {{"probability", rule.probability},
                       {"misplaced_percent", 100 * rule.misplaced},
                       {"worst_deviation", rule.worst_z},
@@ -126,7 +143,7 @@ Judgement judge_noise(const Check& check, const Tensor& student, const Tensor& e
                       {"tests", static_cast<double>(rule.tests)}};
     result.chance = rule.probability;
     result.borderline = after_first_run(rule.probability) == FirstRun::borderline;
-    if (!rule.agree && rule.worst == Worst::tile) result.first_difference = worst_tile(rule);
+    if (!rule.agree && rule.worst == Worst::tile) result.first_difference = worst_tile(rule, quantities);
     return result;
 }
 
