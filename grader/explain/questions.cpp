@@ -10,6 +10,7 @@
 #include "explain/answer_lengths.hpp"
 #include "explain/asked_alone.hpp"
 #include "explain/asked_answers.hpp"
+#include "explain/changed_alike.hpp"
 #include "explain/code_place.hpp"
 #include "explain/common_condition.hpp"
 #include "explain/other_cases.hpp"
@@ -132,7 +133,9 @@ public:
             alone ? AnswerPattern{right_alone_of(exercise_)} : sentence_of(find_in_common(worker_, asked, patterns));
         if (shared.words.empty()) shared.words = rows_alone(worker_, asked, patterns);
         if (!alone) {
-            add_part(shared.words, answer_lengths(worker_, asked, patterns));
+            // Where each row has its partner, how many there are in which call says no more.
+            const std::string changed = changed_alike(worker_, asked, patterns);
+            add_part(shared.words, changed.empty() ? answer_lengths(worker_, asked, patterns) : changed);
             std::string function = wrong_function(worker_, asked, patterns);
             add_part(function, shared.words);
             shared.words = std::move(function);
