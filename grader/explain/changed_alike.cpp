@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "explain/samples.hpp"
 #include "judge/judges.hpp"
@@ -57,11 +58,14 @@ std::string changed_alike(Worker& worker, const AskedCheck& asked, SpareTime& ti
         yours->components != expected.value->components)
         return "";
     const std::size_t first = judge.kinds != nullptr ? 1 : judge.keys;
-    const auto found = changed_rows(numbers_in(*yours), numbers_in(*expected.value), first);
+    const NumberRows right = numbers_in(*expected.value);
+    const auto found = changed_rows(numbers_in(*yours), right, first);
     if (!found) return "";
     std::vector<std::string> names;
-    if (judge.columns != nullptr && !text_of(expected.names).empty())
-        names = judge.columns(text_of(expected.names), expected.value->components);
+    // The corners of a triangle are no x, y and z.
+    const bool whole = std::ranges::all_of(
+        right, [](const auto& row) { return std::ranges::all_of(row, [](double x) { return x == std::floor(x); }); });
+    if (judge.columns != nullptr && !whole) names = judge.columns(text_of(expected.names), expected.value->components);
     return fmt::format("each row that is not expected is one that is missing, with {} ({} of {})",
                        how_changed(*found, first, names), found->rows, found->all);
 }
