@@ -3,20 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
-#include <string_view>
 
 #include "explain/other_answers.hpp"
 #include "explain/question_words.hpp"
 #include "explain/questions_in_turn.hpp"
 #include "explain/samples.hpp"
+#include "explain/simpler_questions.hpp"
 #include "judge/judges.hpp"
-#include "question/movable.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -30,75 +27,6 @@ constexpr std::size_t most_changed_places = 3;    ///< with more, it is right ne
 constexpr double most_times_as_far = 2;           ///< beside another: one that changes more says less
 constexpr double most_times_as_far_left_out = 4;  ///< what is left out says more than another number
 constexpr double least_gl_seconds = 0.1;          ///< a run that draws, whatever the processor says
-
-bool leaves_out(const OtherQuestion& question) { return question.change == left_out || is_of_list(question); }
-
-/// Whether the change takes something away that code can be wrong about, and leaves a question that is one still: its
-/// place among those that do, the likeliest first.
-std::optional<int> rank(const OtherQuestion& question)
-{
-    constexpr std::array<std::string_view, 3> neutral{"taken as 0", "taken as 1", "taken as the identity"};
-    constexpr std::array<std::string_view, 3> simpler{"normalised", "limited to [0, 1]", "rounded towards 0"};
-    constexpr std::array<std::string_view, 2> equal{"with y taken as x", "with z taken as y"};
-    const std::string_view change = question.change;
-    const auto is_one_of = [&](const auto& all) { return std::ranges::find(all, change) != all.end(); };
-    if (change == "in reverse order") return std::nullopt;
-    if (leaves_out(question)) return 0;
-    if (!question.also.empty()) return std::nullopt;
-    if (is_one_of(neutral)) return 0;
-    if (is_one_of(simpler) || change.starts_with("without ")) return 1;
-    if (is_one_of(equal)) return 2;
-    return change == taken_for_another ? std::optional(3) : std::nullopt;
-}
-
-/// Numbers and vectors that are equal are a simpler case. Lists and structs that are have nothing left to do.
-bool is_number_or_vector(const QuestionLog& log, const OtherQuestion& question)
-{
-    return std::ranges::any_of(log.kinds, [&](const QuestionKind& kind) {
-        return kind.function == question.function &&
-               std::ranges::any_of(kind.features, [&](const std::string& feature) {
-                   return feature == question.place || feature == question.place + ".x";
-               });
-    });
-}
-
-std::size_t different_rows(const Tensor& tensor)
-{
-    std::set<std::vector<std::byte>> rows;
-    const std::size_t size = tensor.components * size_of(tensor.element);
-    for (std::size_t row = 0; row < tensor.cells(); ++row) {
-        const auto bytes = std::span(tensor.bytes).subspan(row * size, size);
-        rows.emplace(bytes.begin(), bytes.end());
-    }
-    return rows.size();
-}
-
-bool is_all_zero(const Tensor& tensor)
-{
-    return std::ranges::all_of(to_doubles(tensor), [](double x) { return x == 0; });
-}
-
-/// Is there about as much to be answered right as there was?
-bool leaves_answers(const Tensor& before, const Tensor& after)
-{
-    return 2 * different_rows(after) > different_rows(before) && (!is_all_zero(after) || is_all_zero(before));
-}
-
-/// How much other answers there are, as a share of their size; 1 where they are not of one form.
-double distance(const Tensor& before, const Tensor& after)
-{
-    const std::vector<double> one = numbers_or_nan(before);
-    const std::vector<double> other = numbers_or_nan(after);
-    if (one.size() != other.size()) return 1;
-    double size = 0;
-    double change = 0;
-    for (std::size_t i = 0; i < one.size(); ++i) {
-        if (!std::isfinite(one[i]) || !std::isfinite(other[i])) continue;
-        size += std::abs(one[i]);
-        change += std::abs(one[i] - other[i]);
-    }
-    return size > 0 ? std::min(change / size, 1.0) : 1;
-}
 
 /// The function that most rows of a value are answers of, or the only one that is asked.
 std::string function_behind(const QuestionLog& log, const std::string& value)
@@ -203,20 +131,13 @@ private:
         const bool draws = asked_.exercise.gl && leaves_picture(expected);
         const double seconds = std::max(expected.cpu_seconds, draws ? least_gl_seconds : 1e-4);
         const auto most = static_cast<std::size_t>(most_seconds_of_changes / seconds);
-        std::vector<std::pair<int, OtherQuestion>> likely;
-        for (QuestionInTurn& one : questions_in_turn(log, asked_.headers)) {
-            const std::string& of = one.question.function;
-            const bool is_list_taken =
-                !of.empty() && one.question.change == taken_for_another && !is_number_or_vector(log, one.question);
-            const std::optional<int> place = rank(one.question);
-            if (place && !is_list_taken && (of.empty() || may_change(log, of, function_)) &&
-                !is_of_unit_length(log, one.question))
-                likely.emplace_back(*place, std::move(one.question));
-        }
-        std::ranges::stable_sort(likely, {}, &std::pair<int, OtherQuestion>::first);
-        likely.resize(std::min({likely.size(), most, most_changes_tried}));
+        std::vector<OtherQuestion> simpler = simpler_questions(log, function_, asked_.headers);
+        // Less of a mesh is less of a picture, whatever is wrong with it.
+        if (asked_.exercise.gl && function_.find("::") != std::string::npos)
+            std::erase_if(simpler, [](const OtherQuestion& one) { return is_of_list(one); });
+        simpler.resize(std::min({simpler.size(), most, most_changes_tried}));
         std::vector<OtherAnswers> all;
-        for (auto& [place, question] : likely) all.push_back({std::move(question)});
+        for (OtherQuestion& question : simpler) all.push_back({std::move(question)});
         return all;
     }
 
@@ -236,7 +157,7 @@ private:
         const Tensor* const yours = observed(asked_.check, one.yours);
         const Expected expected = expected_of(asked_.check, one.right);
         if (yours == nullptr || !well_formed(*yours) || expected.value == nullptr || !well_formed(*expected.value) ||
-            !leaves_answers(*once.right, *expected.value))
+            !leaves_answers(one.question, *once.right, *expected.value))
             return false;
         try {
             if (!once.rows) return judged_right(*yours, one.right);
@@ -281,7 +202,7 @@ private:
         const auto answers = [&](const OtherAnswers& one) { return tensor_of(one.right, asked_.check.value); };
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t i = 0; i < tried.size(); ++i)
-            order.emplace_back(distance(*once.right, *answers(tried[i])) /
+            order.emplace_back(share_changed(*once.right, *answers(tried[i])) /
                                    (leaves_out(tried[i].question) ? most_times_as_far_left_out : 1),
                                i);
         std::ranges::sort(order);
