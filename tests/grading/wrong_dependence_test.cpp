@@ -21,8 +21,9 @@ TEST_F(DependenceOfMatrices, names_the_side_that_an_entry_should_not_change_with
                                     "matrix[3][axis] = static_cast<float>(along.offset);\n"
                                     "        if (axis == 1) matrix[3][1] *= sides[1].to - sides[1].from, "
                                     "matrix[3][1] /= sides[0].to - sides[0].from;");
-    EXPECT_EQ(depends(result),
-              "in entry (row 1, column 3) your wrong answers change with box.left and box.right, and the right ones do not");
+    EXPECT_EQ(
+        depends(result),
+        "in entry (row 1, column 3) your wrong answers change with box.left and box.right, and the right ones do not");
 }
 
 TEST_F(DependenceOfMatrices, says_nothing_of_a_wrong_sign)
