@@ -82,9 +82,9 @@ struct HappenedBefore {
         for (const auto& [time, event] : script) {
             ++events.at(event.index());
             if (const auto* const button = std::get_if<input::MouseButton>(&event))
-                button->pressed ? (void)buttons.insert(button->button) : (void)buttons.erase(button->button);
+                hold(buttons, button->button, button->pressed);
             if (const auto* const key = std::get_if<input::Key>(&event))
-                key->action == input::Key::Action::release ? (void)keys.erase(key->key) : (void)keys.insert(key->key);
+                hold(keys, key->key, key->action != input::Key::Action::release);
             if (const auto* const focus = std::get_if<input::Focus>(&event); focus != nullptr && !focus->gained) {
                 keys.clear();
                 buttons.clear();
@@ -96,6 +96,15 @@ struct HappenedBefore {
     [[nodiscard]] double held(int left, int right) const
     {
         return static_cast<double>(keys.count(left) + keys.count(right));
+    }
+
+private:
+    static void hold(std::set<int>& held, int which, bool down)
+    {
+        if (down)
+            held.insert(which);
+        else
+            held.erase(which);
     }
 };
 

@@ -233,7 +233,7 @@ std::string right_with(const std::vector<OtherQuestion>& changes, const std::str
 {
     std::string text;
     for (const OtherQuestion& change : changes)
-        text += (text.empty() ? "your answers are right with " : ", or with ") + in_words(change, headers);
+        text += std::string(text.empty() ? right_with_words : ", or with ") + in_words(change, headers);
     return text;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "explain/asked_answers.hpp"
@@ -16,6 +17,8 @@ namespace umbral::grader {
 /// be answered. One or two, what changes the right answers least in front. Its runs take from `time`.
 [[nodiscard]] std::vector<OtherQuestion> changes_that_make_right(Worker& worker, const AskedCheck& asked,
                                                                  SpareTime& time);
+
+inline constexpr std::string_view right_with_words = "your answers are right with ";
 
 /// "your answers are right with material.specular taken as 0"; empty if there are no such changes.
 [[nodiscard]] std::string right_with(const std::vector<OtherQuestion>& changes, const std::string& headers);

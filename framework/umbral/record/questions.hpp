@@ -97,7 +97,7 @@ public:
     [[nodiscard]] bool knows(std::string_view function) const;
     /// Takes what the numbers in calls of `function` are called, and what could be asked in place of them. Once.
     void introduce(std::string_view function, const Features& features, std::span<const Part> parts);
-    /// Calls of `function` only change their object: they may be left out. Each time that it is called so.
+    /// The current question, a call of `function`, returns nothing and may change its object: it can be left out.
     void may_leave_out(std::string_view function);
     /// Is a call of the function not to be made?
     [[nodiscard]] bool leaves_out(std::string_view function) const
@@ -173,7 +173,7 @@ private:
     std::string others_;
     std::string moves_;
     std::map<const void*, Object> objects_;
-    std::set<std::string, std::less<>> may_be_left_out_;
+    std::set<std::string, std::less<>> may_be_left_out_;  ///< functions
     std::set<std::string, std::less<>> changing_;  ///< functions that made objects or changed them
     std::map<std::string, std::set<std::string, std::less<>>, std::less<>> histories_;
     std::size_t lines_ = 0;  ///< of all objects

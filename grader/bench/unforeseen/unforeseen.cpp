@@ -10,6 +10,7 @@
 #include "explain/common_answer.hpp"
 #include "explain/common_condition.hpp"
 #include "explain/other_questions.hpp"
+#include "explain/question_words.hpp"
 #include "explain/right_with.hpp"
 #include "explain/wrong_dependence.hpp"
 #include "model/digest.hpp"
@@ -158,13 +159,17 @@ private:
     /// What wrong answers depend on, and what makes them right.
     void try_depends(const Check& check, std::string depends, UnforeseenBug& bug)
     {
-        const auto changes = with_asked(check, seen_inputs, [&](const AskedCheck& asked, SpareTime& time) {
-            return changes_that_make_right(worker_, asked, time);
-        });
-        const std::string words = right_with(changes, headers_);
-        if (!words.empty() && depends.ends_with(words)) {
-            bug.said.push_back(tried_changes(check, changes, words));
-            depends.resize(depends.size() - words.size());
+        if (const std::size_t place = depends.find(right_with_words); place != std::string::npos) {
+            const std::string told = depends.substr(place);
+            auto changes = with_asked(check, seen_inputs, [&](const AskedCheck& asked, SpareTime& time) {
+                return changes_that_make_right(worker_, asked, time);
+            });
+            // There is more time to find some here.
+            std::erase_if(changes, [&](const OtherQuestion& change) {
+                return told.find(in_words(change, headers_)) == std::string::npos;
+            });
+            bug.said.push_back(tried_changes(check, changes, told));
+            depends.resize(place);
         }
         if (depends.ends_with("; ")) depends.resize(depends.size() - 2);
         if (!depends.empty()) bug.said.push_back(tried_dependence(check, depends));
