@@ -4,6 +4,9 @@
 #include <functional>
 #include <list>
 #include <optional>
+#include <span>
+#include <system_error>
+#include <thread>
 #include <tuple>
 
 #include "explain/by_function.hpp"
@@ -28,6 +31,46 @@ struct LikelyMistake {
 /// against, and none for, is not tried on the other cases.
 constexpr std::size_t enough_against = 1;
 
+/// What mistakes do in a case. Where there is a second worker, it begins with the last of them meanwhile.
+class MistakeRuns {
+public:
+    MistakeRuns(Worker& worker, const Exercise& exercise, const CaseChecks& group, std::span<LikelyMistake> mistakes)
+        : worker_(worker), exercise_(exercise), group_(group)
+    {
+        std::vector<const KnownSolution*> all;
+        for (const LikelyMistake& one : mistakes) all.push_back(one.mistake);
+        Worker* const second = all.size() > 1 ? worker.second() : nullptr;
+        if (second == nullptr) return;
+        const auto begin_with_last = [this, second, all](const std::stop_token& stop) {
+            try {
+                for (auto one = all.rbegin(); one != all.rend() && !stop.stop_requested(); ++one)
+                    (void)run(*second, **one);
+            } catch (...) {
+                // The first worker comes to the same.
+            }
+        };
+        try {
+            ahead_ = std::jthread(begin_with_last);
+        } catch (const std::system_error&) {
+            // No more threads to be had.
+        }
+    }
+
+    [[nodiscard]] const RunOutcome& of(const LikelyMistake& one) const { return run(worker_, *one.mistake); }
+
+private:
+    [[nodiscard]] const RunOutcome& run(Worker& worker, const KnownSolution& mistake) const
+    {
+        return worker.run_known(exercise_, "mistakes/" + mistake.name, mistake.sources, group_.name,
+                                group_.result->seed);
+    }
+
+    Worker& worker_;
+    const Exercise& exercise_;
+    const CaseChecks& group_;
+    std::jthread ahead_;
+};
+
 std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, const std::vector<CaseChecks>& groups,
                                      std::span<const KnownSolution> mistakes)
 {
@@ -40,15 +83,14 @@ std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, c
         undecided -= group.failing;
         // A mistake that explains runs to its end: none is like a run that the clock stopped.
         const bool stopped = group.result->student.verdict == Verdict::timeout;
+        const MistakeRuns runs(worker, exercise, group, stopped ? std::span<LikelyMistake>() : candidates);
         for (LikelyMistake& candidate : candidates) {
             candidate.fits_here = false;
             if (stopped) {
                 for (std::size_t i = 0; i < group.checks.size(); ++i) candidate.tally += not_alike;
                 continue;
             }
-            const KnownSolution& mistake = *candidate.mistake;
-            const RunOutcome& run =
-                worker.run_known(exercise, "mistakes/" + mistake.name, mistake.sources, group.name, group.result->seed);
+            const RunOutcome& run = runs.of(candidate);
             for (const FailingCheck& one : group.checks) {
                 const Resemblance said = says_of(one, *group.result, run);
                 candidate.tally += said;

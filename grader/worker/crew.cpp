@@ -51,6 +51,8 @@ void Crew::share_out(std::size_t count, const Task& task)
         }
     };
     const std::vector<Worker*> all = workers(count);
+    // Where there is work for one only, the other processors are idle.
+    for (Worker* const worker : all) worker->allow_second(count == 1 && jobs_ > 1);
     {
         std::vector<std::jthread> others;
         try {

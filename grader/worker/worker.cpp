@@ -241,8 +241,18 @@ const RunOutcome& Worker::known(const Exercise& exercise, const std::string& who
     return *used_.emplace(key, runs_->get(key, kept_or_run)).first->second;
 }
 
+Worker* Worker::second()
+{
+    if (!may_have_second_) return nullptr;
+    if (!second_) second_ = std::make_unique<Worker>(tools_, gl_backend_);
+    second_->keep_runs(keys_);
+    second_->share_runs(runs_);
+    return second_.get();
+}
+
 void Worker::let_go()
 {
+    if (second_) second_->let_go();
     used_.clear();
     if (questions_bytes_ <= most_question_bytes && bases_.size() <= most_bases) return;
     questions_.clear();

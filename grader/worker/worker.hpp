@@ -52,6 +52,12 @@ public:
     /// From now on trusted runs are remembered together with other workers.
     void share_runs(std::shared_ptr<SharedRuns> runs) noexcept { runs_ = std::move(runs); }
 
+    /// Whether a second one may be had.
+    void allow_second(bool allowed) noexcept { may_have_second_ = allowed; }
+    /// Another worker that remembers trusted runs together with this one, for a thread of its own; null where there may
+    /// be none.
+    [[nodiscard]] Worker* second();
+
     /// Lets go of the runs that were used, which are forgotten if too many are remembered; references to them end.
     /// Called between units.
     void let_go();
@@ -210,6 +216,8 @@ private:
     std::map<std::string, QuestionLog> questions_;
     std::map<std::string, CheckBasis> bases_;
     std::size_t questions_bytes_ = 0;
+    bool may_have_second_ = false;
+    std::unique_ptr<Worker> second_;
 };
 
 }
