@@ -169,6 +169,13 @@ std::optional<CommonCondition> one_sided_condition_of(OtherCases& others, Sample
     if (!condition || condition->words.starts_with(place_in_call)) return std::nullopt;
     if (confirmed_by(*condition, samples, of) != Confirmed::yes) return std::nullopt;
     if (confirmed_elsewhere(*condition, others, samples.seen(), of) == Confirmed::no) return std::nullopt;
+    // Where nothing can be done wrong, all mistakes are right.
+    const bool is_so_of_most = samples.is_so_of_most_mistakes([&](const AskedSample& mistake) -> std::optional<bool> {
+        const ToldSample& told = mistake.*of;
+        if (told.names != seen.names || !has_both(told.wrong, 1)) return std::nullopt;
+        return parts(*condition, told.facts, told.wrong);
+    });
+    if (is_so_of_most) return std::nullopt;
     return CommonCondition{*std::move(condition), of};
 }
 

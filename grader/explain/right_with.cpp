@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "explain/as_other_mistakes.hpp"
 #include "explain/other_answers.hpp"
 #include "explain/question_words.hpp"
 #include "explain/questions_in_turn.hpp"
@@ -27,6 +28,7 @@ constexpr std::size_t most_changed_places = 3;    ///< with more, it is right ne
 constexpr double most_times_as_far = 2;           ///< beside another: one that changes more says less
 constexpr double most_times_as_far_left_out = 4;  ///< what is left out says more than another number
 constexpr double least_gl_seconds = 0.1;          ///< a run that draws, whatever the processor says
+constexpr double most_seconds_of_mistakes = 1.5;
 
 /// The function that most rows of a value are answers of, or the only one that is asked.
 std::string function_behind(const QuestionLog& log, const std::string& value)
@@ -62,6 +64,7 @@ public:
         keep_nearest(*first, tried);
         drop_moved(*first, tried);
         if (places_of(tried) > most_changed_places) return {};
+        drop_what_is_so_of_most(*first, tried);
         bool is_confirmed = first->wrong > 1;
         for (const std::size_t place : {fresh_changes_place, fresh_changes_place + 1}) {
             const std::optional<AskedOnce> fresh = asked_at(varied_seed(asked_, place));
@@ -185,6 +188,29 @@ private:
             return std::ranges::any_of(moved, [&](const OtherAnswers& other) {
                 return one.question.function == other.question.function && one.question.place == other.question.place;
             });
+        });
+    }
+
+    /// With no light, all shadows are right, whatever is wrong with them. What there is no time to find out of is left
+    /// out too.
+    void drop_what_is_so_of_most(const AskedOnce& once, std::vector<OtherAnswers>& tried)
+    {
+        const OtherMistakes mistakes(worker_, asked_);
+        SpareTime time;
+        time.allow(most_seconds_of_mistakes);
+        std::erase_if(tried, [&](const OtherAnswers& one) {
+            const bool is_so = mistakes.most([&](const AskedCheck& mistake) -> std::optional<bool> {
+                RightWith other(worker_, mistake, time);
+                other.function_ = function_;
+                const std::optional<AskedOnce> plain = time.is_left() ? other.asked_at(once.seed) : std::nullopt;
+                if (!plain || plain->wrong == 0) return std::nullopt;
+                RunOutcome run =
+                    time.spent_on(worker_.run_moved(asked_.exercise, mistake.runs.built(), asked_.check.case_name,
+                                                    once.seed, {one.question}, asked_.check.value));
+                if (run.verdict != Verdict::ok) return std::nullopt;
+                return makes_right(*plain, {one.question, true, std::move(runs_of_others(run, 1).front()), one.right});
+            });
+            return is_so || !time.is_left();
         });
     }
 

@@ -4,6 +4,7 @@
 #include <umbral/record/variation.hpp>
 #include <vector>
 
+#include "explain/as_other_mistakes.hpp"
 #include "worker/seeds.hpp"
 
 namespace umbral::grader {
@@ -100,6 +101,13 @@ const AskedSample& Samples::fresh(std::size_t number)
     // Behind all places that may be used otherwise.
     if (!one) one = asked_sample(worker_, asked_, varied_seed(asked_, most_added + 1 + number));
     return *one;
+}
+
+bool Samples::is_so_of_most_mistakes(const std::function<std::optional<bool>(const AskedSample& mistake)>& is_so) const
+{
+    return OtherMistakes(worker_, asked_).most([&](const AskedCheck& mistake) {
+        return is_so(asked_sample(worker_, mistake, input_seed(asked_, 0)));
+    });
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "explain/asked_sample.hpp"
@@ -43,6 +44,10 @@ public:
     /// Answers to inputs that were not seen, 1 to fresh_sets(). What is written down in the driver is varied in them:
     /// what is so of the one scene that it draws may be so by chance.
     [[nodiscard]] const AskedSample& fresh(std::size_t number);
+
+    /// Is it so of most of the unit's known mistakes, asked the same as was seen (as_other_mistakes.hpp)?
+    [[nodiscard]] bool is_so_of_most_mistakes(
+        const std::function<std::optional<bool>(const AskedSample& mistake)>& is_so) const;
 
 private:
     static constexpr std::size_t most_fresh = 6;

@@ -56,7 +56,8 @@ RunOutcome Worker::run_moved(const Exercise& exercise, const Built& built, const
     const std::size_t most = std::exchange(wanted.wanted, {})[value];
     for (std::size_t i = 0; i < others.size(); ++i) wanted.wanted.emplace(question_names::with_other(i, value), most);
     wanted.inquiry.others = others;
-    return spare_time_.spent_on(run_students(exercise, wanted));
+    // What the unit's mistakes take is nobody's time.
+    return built.mistake.empty() ? spare_time_.spent_on(run_students(exercise, wanted)) : run_now(exercise, wanted);
 }
 
 RunOutcome Worker::run_coarse(const Exercise& exercise, const Built& built, const std::string& case_name,

@@ -96,11 +96,12 @@ RunRequest Worker::students_request(const Exercise& exercise, const Built& built
                                     std::uint64_t seed)
 {
     RunRequest wanted = request(exercise, case_name, seed);
-    wanted.solution = built.library;
+    wanted.solution =
+        built.mistake.empty() || !exercise.is_cpp() ? built.library : library_of(exercise, "mistakes/" + built.mistake);
     wanted.mutant = built.mutant;
     wanted.fresh_memory = built.fresh_memory;
     wanted.wanted = this->wanted(exercise, case_name, seed);
-    wanted.roots.push_back(built.library.parent_path().string());
+    if (!built.library.empty()) wanted.roots.push_back(built.library.parent_path().string());
     // Only what the unit asks for: other files are nothing to the driver.
     for (const auto& [name, text] : built.sources)
         if (std::ranges::find(exercise.files, name) != exercise.files.end()) wanted.sources.emplace(name, text);
