@@ -120,8 +120,21 @@ Tensor nearer(const Tensor& student, const Tensor& a, const Tensor& b)
     return result;
 }
 
+/// Two mistakes, by their numbers.
+using Pair = std::pair<std::size_t, std::size_t>;
+
+std::vector<Pair> all_pairs(std::size_t mistakes)
+{
+    std::vector<Pair> pairs;
+    for (std::size_t a = 0; a < mistakes; ++a)
+        for (std::size_t b = a + 1; b < mistakes; ++b) pairs.emplace_back(a, b);
+    return pairs;
+}
+
+/// What the mistakes do in all cases in which the student errs. Of `pairs` only those remain that may be the reason of
+/// each: a mistake that is in none is not run any more, and there is nothing of it then.
 std::vector<MistakenCheck> mistaken_checks(Worker& worker, const Exercise& exercise, std::span<const CaseChecks> groups,
-                                           std::span<const KnownSolution> mistakes)
+                                           std::span<const KnownSolution> mistakes, std::vector<Pair>& pairs)
 {
     std::vector<MistakenCheck> all;
     std::size_t cases = 0;
@@ -133,14 +146,24 @@ std::vector<MistakenCheck> mistaken_checks(Worker& worker, const Exercise& exerc
             if (check.student == nullptr || !judge_of(*check.check).plain_values || check.check->hard) continue;
             if (!well_formed(*check.student) || check.expected == nullptr || !well_formed(*check.expected)) continue;
             MistakenCheck mistaken{&check};
-            for (const KnownSolution& mistake : mistakes) {
-                const RunOutcome& run = worker.run_known(exercise, "mistakes/" + mistake.name, mistake.sources,
-                                                         group.name, group.result->seed);
-                const Tensor* tensor = run.verdict == Verdict::ok ? observed(*check.check, run) : nullptr;
+            for (std::size_t i = 0; i < mistakes.size(); ++i) {
+                const bool is_in_one =
+                    std::ranges::any_of(pairs, [i](const Pair& pair) { return pair.first == i || pair.second == i; });
+                const KnownSolution& mistake = mistakes[i];
+                const RunOutcome* const run = is_in_one
+                                                  ? &worker.run_known(exercise, "mistakes/" + mistake.name,
+                                                                      mistake.sources, group.name, group.result->seed)
+                                                  : nullptr;
+                const Tensor* tensor =
+                    run != nullptr && run->verdict == Verdict::ok ? observed(*check.check, *run) : nullptr;
                 mistaken.by_mistake.push_back(tensor == nullptr ? std::nullopt : std::optional(*tensor));
             }
             compare(mistaken);
+            std::erase_if(pairs, [&](const Pair& pair) {
+                return !may_be(mistaken, pair.first, pair.second) || !give_all(mistaken, pair.first, pair.second);
+            });
             all.push_back(std::move(mistaken));
+            if (pairs.empty()) return all;
         }
     }
     return all;
@@ -186,7 +209,6 @@ std::optional<Tally> weigh_pair(const std::vector<MistakenCheck>& all, std::size
         // A list of another length than either's is nobody's.
         const Tensor& student = *one.check->student;
         if (!same_shape(student, *one.by_mistake[a]) && !same_shape(student, *one.by_mistake[b])) return std::nullopt;
-        if (!give_all(one, a, b)) return std::nullopt;
         const Resemblance said = resemblance(*one.check, nearer(student, *one.by_mistake[a], *one.by_mistake[b]));
         if (said.says == Says::against_it) return std::nullopt;
         tally += said;
@@ -213,19 +235,18 @@ std::vector<Explanation> by_two_mistakes(Worker& worker, const Exercise& exercis
     if (std::ranges::any_of(groups,
                             [&](const CaseChecks& group) { return std::ranges::any_of(group.checks, has_none); }))
         return {};
-    const std::vector<MistakenCheck> all = mistaken_checks(worker, exercise, groups, mistakes);
+    std::vector<Pair> pairs = all_pairs(mistakes.size());
+    const std::vector<MistakenCheck> all = mistaken_checks(worker, exercise, groups, mistakes, pairs);
     if (all.empty()) return {};
     std::vector<Explanation> found;
-    for (std::size_t a = 0; a < mistakes.size(); ++a)
-        for (std::size_t b = a + 1; b < mistakes.size(); ++b) {
-            if (!std::ranges::all_of(all, [&](const MistakenCheck& one) { return may_be(one, a, b); })) continue;
-            const std::optional<Tally> tally = weigh_pair(all, a, b);
-            if (!tally || confidence(*tally) < thresholds::very_sure) continue;
-            if (!found.empty()) return {};
-            found.push_back({two_mistakes_title(mistakes[a].name, mistakes[b].name),
-                             fmt::format("Two things at once. {} And: {}", mistakes[a].hint, mistakes[b].hint),
-                             confidence(*tally), fit(*tally)});
-        }
+    for (const auto& [a, b] : pairs) {
+        const std::optional<Tally> tally = weigh_pair(all, a, b);
+        if (!tally || confidence(*tally) < thresholds::very_sure) continue;
+        if (!found.empty()) return {};
+        found.push_back({two_mistakes_title(mistakes[a].name, mistakes[b].name),
+                         fmt::format("Two things at once. {} And: {}", mistakes[a].hint, mistakes[b].hint),
+                         confidence(*tally), fit(*tally)});
+    }
     return found;
 }
 
