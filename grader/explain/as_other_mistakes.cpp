@@ -1,6 +1,5 @@
 #include "explain/as_other_mistakes.hpp"
 
-#include "collect/sources.hpp"
 #include "explain/explain_unit.hpp"
 
 namespace umbral::grader {
@@ -23,10 +22,7 @@ bool OtherMistakes::most(const std::function<std::optional<bool>(const AskedChec
     std::size_t so = 0;
     for (const KnownSolution& mistake : mistakes_) {
         if (tried == (asked_.exercise.gl ? most_drawn_mistakes : most_mistakes)) break;
-        Built built;
-        built.verdict = Verdict::ok;
-        built.sources = texts_of(mistake.sources);
-        built.mistake = mistake.name;
+        const Built built = as_built(mistake);
         CaseResult one;
         one.hidden = asked_.result.hidden;
         one.seed = asked_.result.seed;

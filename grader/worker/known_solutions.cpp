@@ -162,4 +162,13 @@ std::vector<KnownSolution> alternatives_of(const fs::path& reference, const Exer
     });
 }
 
+Built as_built(const KnownSolution& mistake)
+{
+    Built built;
+    built.verdict = Verdict::ok;
+    built.sources = texts_of(mistake.sources);
+    built.mistake = mistake.name;
+    return built;
+}
+
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "build/builder.hpp"
 #include "build/submission.hpp"
 #include "model/exercise.hpp"
 #include "model/verdict.hpp"
@@ -39,5 +40,8 @@ struct KnownSolution {
 [[nodiscard]] std::vector<KnownSolution> mistakes_of(const std::filesystem::path& reference, const Exercise& exercise);
 [[nodiscard]] std::vector<KnownSolution> alternatives_of(const std::filesystem::path& reference,
                                                          const Exercise& exercise);
+
+/// A mistake as if it had been handed in: what runs is the library that comes with the unit.
+[[nodiscard]] Built as_built(const KnownSolution& mistake);
 
 }

@@ -174,7 +174,7 @@ private:
     std::string moves_;
     std::map<const void*, Object> objects_;
     std::set<std::string, std::less<>> may_be_left_out_;  ///< functions
-    std::set<std::string, std::less<>> changing_;  ///< functions that made objects or changed them
+    std::set<std::string, std::less<>> changing_;         ///< functions that made objects or changed them
     std::map<std::string, std::set<std::string, std::less<>>, std::less<>> histories_;
     std::size_t lines_ = 0;  ///< of all objects
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> rows_;
