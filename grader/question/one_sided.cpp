@@ -49,6 +49,8 @@ std::optional<Condition> one_sided_condition(const std::vector<Fact>& facts, con
         if (candidate.accidental || candidate.fitted || candidate.of_answer) continue;
         const auto share = right_where(candidate, facts, wrong);
         if (!share) continue;
+        // It parts them: whether that is the reason, others decide (simplest_condition).
+        if (*share == 0) return std::nullopt;
         const bool is_better = best == nullptr || *share * about_as_few < fewest ||
                                (*share <= fewest * about_as_few && candidate.cost < best->cost);
         if (!is_better) continue;

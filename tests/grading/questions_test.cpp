@@ -52,8 +52,8 @@ TEST_F(Questions, an_interval_that_begins_at_0_is_told_by_what_it_answers_and_by
     ASSERT_TRUE(wrong.first_difference);
     EXPECT_TRUE(wrong.first_difference->question.starts_with("intersect(Ray{{")) << wrong.first_difference->question;
     // Here only lines without an end are wrong, so "t_min is not 0 and t_max is not finite" parts them; in other cases
-    // those with an end are wrong as well.
-    EXPECT_EQ(wrong.common, "");
+    // those with an end are wrong as well. That nothing is wrong where t_min is 0 all cases say.
+    EXPECT_EQ(wrong.common, "wrong only where ray.t_min is not 0 (150 of 200), right everywhere else (300 of 300)");
     ASSERT_TRUE(wrong.simplest);
     EXPECT_LT(wrong.simplest->question.size(), wrong.first_difference->question.size());
     ASSERT_FALSE(result.explanations.empty());

@@ -45,6 +45,12 @@ TEST(OneSidedConditions, say_nothing_where_wrong_answers_lie_anywhere)
     }
 }
 
+TEST(OneSidedConditions, say_nothing_where_one_parts_right_from_wrong)
+{
+    const QuestionTable table = questions(4);
+    EXPECT_EQ(words_of(table, wrong_where(table, [](const auto& row) { return row[0] < 0; })), "nothing");
+}
+
 TEST(OneSidedConditions, say_nothing_of_what_holds_nearly_everywhere)
 {
     const QuestionTable table = questions(5, 400);
