@@ -118,11 +118,16 @@ private:
         return once;
     }
 
+    /// By the check's rule; what it cannot judge of other questions' right answers is not right.
     [[nodiscard]] bool judged_right(const Tensor& yours, const RunOutcome& right) const
     {
         const Expected expected = expected_of(asked_.check, right);
         if (expected.value->rows == 0 || yours.rows == 0) return expected.value->rows == yours.rows;
-        return judge(asked_.check, yours, *expected.value, expected.margin, expected.names).right >= 1;
+        try {
+            return judge(asked_.check, yours, *expected.value, expected.margin, expected.names).right >= 1;
+        } catch (const std::invalid_argument&) {
+            return false;
+        }
     }
 
     /// Changes of the function's arguments, and of what its objects have their state from.
@@ -162,14 +167,14 @@ private:
         if (yours == nullptr || !well_formed(*yours) || expected.value == nullptr || !well_formed(*expected.value) ||
             !leaves_answers(one.question, *once.right, *expected.value))
             return false;
+        if (!once.rows) return judged_right(*yours, one.right);
+        if (!has_single_rows(asked_.check, yours, expected.value)) return false;
         try {
-            if (!once.rows) return judged_right(*yours, one.right);
-            if (!has_single_rows(asked_.check, yours, expected.value)) return false;
             const std::vector<RowState> states = single_rows(asked_.check, *yours, expected);
             return std::ranges::all_of(
                 *once.rows, [&](std::size_t row) { return row < states.size() && states[row] == RowState::right; });
         } catch (const std::invalid_argument&) {
-            return false;  // what the reference gave cannot be judged
+            return false;
         }
     }
 

@@ -1,5 +1,6 @@
 #include "validate/known_questions.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <functional>
@@ -42,8 +43,10 @@ std::size_t visit_rows(Worker& worker, const Exercise& exercise, const Check& ch
     for (std::size_t row = 0; row < view.cells(); ++row) {
         const auto question = log.question_of(check.value, row, view.cells());
         const QuestionKind* const kind = question ? log.kind_of(*question) : nullptr;
-        // A function without arguments has one answer, and to write that down may be the exercise.
-        if (kind == nullptr || kind->features.empty()) continue;
+        // A function without arguments has one answer, and to write that down may be the exercise. Of a script of
+        // events only how many there were is told.
+        const auto is_count = [](const std::string& feature) { return feature.starts_with("the number of "); };
+        if (kind == nullptr || std::ranges::all_of(kind->features, is_count)) continue;
         const auto cell = view.present(row) ? view.cell(row) : std::span<const double>();
         take({kind->function, bits_of(kind->questions.at(*question)), rows_of[*question]++, bits_of(cell)});
     }
