@@ -223,6 +223,7 @@ AnswerPattern sentence_of(const InCommon& common)
     if (answer.tells == CommonTells::constant && condition.of_answer) return answer;
     AnswerPattern told{in_plain_words(condition)};
     const bool is_joined = !condition.fact && !condition.compares;
+    if (condition.one_sided && (answer.words.empty() || is_vague(answer.tells))) told.tells = CommonTells::one_sided;
     told.of_question = is_joined || !condition.words.starts_with(right_answer);
     // What may be chance is said last.
     if (!answer.words.empty())

@@ -14,6 +14,7 @@ constexpr std::array tells_names{
     EnumNames<CommonTells>{CommonTells::side, "side", ""},
     EnumNames<CommonTells>{CommonTells::multiple, "multiple", ""},
     EnumNames<CommonTells>{CommonTells::opposite, "opposite", ""},
+    EnumNames<CommonTells>{CommonTells::one_sided, "one-sided", ""},
 };
 
 }

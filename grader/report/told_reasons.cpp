@@ -33,9 +33,11 @@ void add_pattern(Block& block, const UnitResult& unit, const std::vector<const C
         block.sentence("depends",
                        (*depending == &shown ? "" : "in " + (*depending)->name + ": ") + (*depending)->depends);
     if (explained || !vague) return;
-    const auto telling = std::ranges::find_if(failing, [&](const CheckResult* check) {
+    auto telling = std::ranges::find_if(failing, [&](const CheckResult* check) {
         return check != &shown && !check->common.empty() && !is_vague(check->common_tells);
     });
+    if (telling == failing.end() && shown.common.empty())
+        telling = std::ranges::find(failing, CommonTells::one_sided, &CheckResult::common_tells);
     if (telling != failing.end())
         block.sentence(shown.common.empty() ? "pattern" : "",
                        fmt::format("in {}: {}", (*telling)->name, (*telling)->common));
