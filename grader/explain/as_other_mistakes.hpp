@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <list>
 #include <optional>
 #include <vector>
 
@@ -15,16 +16,21 @@ class OtherMistakes {
 public:
     /// Both must live as long.
     OtherMistakes(Worker& worker, const AskedCheck& asked);
+    ~OtherMistakes();
 
     /// Is it so of more than half of the mistakes, as if each were the student's work? `is_so` gets the check as asked
     /// of a mistake, and says nothing where nothing is wrong with it. Few mistakes are tried, and with fewer than three
     /// of which it can be said, it is not so.
-    [[nodiscard]] bool most(const std::function<std::optional<bool>(const AskedCheck& mistake)>& is_so) const;
+    [[nodiscard]] bool most(const std::function<std::optional<bool>(const AskedCheck& mistake)>& is_so);
 
 private:
+    /// A mistake's runs, each made once for all that is asked of it.
+    struct HandedIn;
+
     Worker& worker_;
     const AskedCheck& asked_;
     std::vector<KnownSolution> mistakes_;
+    std::list<HandedIn> handed_in_;  ///< the first of them
 };
 
 }

@@ -186,6 +186,24 @@ void add_groups(const AskedCheck& asked, const QuestionLog& log, const Expected&
     answers.optional = true;
 }
 
+/// How often each function was called.
+class CallCounts {
+public:
+    /// Of a kind that is not known, nothing.
+    void add(const QuestionKind* kind)
+    {
+        if (kind != nullptr) ++count_[kind->function];
+    }
+    [[nodiscard]] std::string most() const
+    {
+        const auto most = std::ranges::max_element(count_, {}, [](const auto& one) { return one.second; });
+        return most == count_.end() ? std::string() : most->first;
+    }
+
+private:
+    std::map<std::string, std::size_t> count_;
+};
+
 }
 
 const QuestionLog& questions_at(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
@@ -221,12 +239,20 @@ AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_
 
 std::string function_asked_most(const AskedAnswers& answers, const QuestionLog& log)
 {
-    std::map<std::string, std::size_t> count;
+    CallCounts calls;
     for (const AskedAnswer& one : answers.all)
-        if (const QuestionKind* const kind = one.answer.wrong ? log.kind_of(one.question) : nullptr)
-            ++count[kind->function];
-    const auto most = std::ranges::max_element(count, {}, [](const auto& one) { return one.second; });
-    return most == count.end() ? std::string() : most->first;
+        if (one.answer.wrong) calls.add(log.kind_of(one.question));
+    return calls.most();
+}
+
+std::string function_asked_most(const QuestionLog& log, const std::string& value)
+{
+    CallCounts calls;
+    if (const auto rows = log.rows.find(value); rows != log.rows.end())
+        for (const std::uint32_t question : rows->second)
+            if (question > 0) calls.add(log.kind_of(question - 1));
+    const std::string most = calls.most();
+    return most.empty() && log.kinds.size() == 1 ? log.kinds.front().function : most;
 }
 
 std::optional<WrongGroup> first_wrong_group(Worker& worker, const AskedCheck& asked, std::uint64_t seed)

@@ -65,6 +65,8 @@ struct AskedAnswers {
 
 /// The function that most wrong answers were asked of; empty where that is not known.
 [[nodiscard]] std::string function_asked_most(const AskedAnswers& answers, const QuestionLog& log);
+/// The function that most rows of a value are answers of, or the only one that is asked; else empty.
+[[nodiscard]] std::string function_asked_most(const QuestionLog& log, const std::string& value);
 
 /// The first question of which the rows together are wrong, and what is wrong in them: what came in a call stands
 /// beside what was expected of that call, where a table as a whole only shows what is lacking and too much.

@@ -36,8 +36,7 @@ std::optional<Tally> tally_of(Worker& worker, const Exercise& exercise, const An
 {
     Tally tally;
     for (const PartOfCheck& one : answers.parts) {
-        const RunOutcome& run = worker.run_known(exercise, "mistakes/" + mistake.name, mistake.sources, one.group->name,
-                                                 one.group->result->seed);
+        const RunOutcome& run = worker.run_known(exercise, mistake, one.group->name, one.group->result->seed);
         tally += says_of_part(one, run);
         if (tally.against_it > 0 || tally.for_it == 0) return std::nullopt;
     }

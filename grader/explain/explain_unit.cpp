@@ -61,8 +61,7 @@ public:
 private:
     [[nodiscard]] const RunOutcome& run(Worker& worker, const KnownSolution& mistake) const
     {
-        return worker.run_known(exercise_, "mistakes/" + mistake.name, mistake.sources, group_.name,
-                                group_.result->seed);
+        return worker.run_known(exercise_, mistake, group_.name, group_.result->seed);
     }
 
     Worker& worker_;

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
 
+#include "explain/answers_left.hpp"
 #include "explain/as_other_mistakes.hpp"
 #include "explain/other_answers.hpp"
 #include "explain/question_words.hpp"
@@ -19,28 +19,23 @@
 namespace umbral::grader {
 namespace {
 
-constexpr std::size_t fresh_changes_place =
-    12;  ///< of practice inputs, behind those that dependences are looked for on
-constexpr std::size_t most_changes_tried = 160;   ///< changes
-constexpr double most_seconds_of_changes = 1;     ///< of the reference's runs
-constexpr std::size_t most_changes_told = 2;      ///< changes
+/// Of practice inputs, behind those that dependences are looked for on.
+constexpr std::size_t fresh_changes_place = 12;
+constexpr std::size_t most_changes_tried = 160;
+constexpr double most_seconds_of_changes = 1;  ///< of the reference's runs
+constexpr std::size_t most_changes_told = 2;
 constexpr std::size_t most_changed_places = 3;    ///< with more, it is right nearly everywhere else
 constexpr double most_times_as_far = 2;           ///< beside another: one that changes more says less
 constexpr double most_times_as_far_left_out = 4;  ///< what is left out says more than another number
 constexpr double least_gl_seconds = 0.1;          ///< a run that draws, whatever the processor says
-constexpr double most_seconds_of_mistakes = 1.5;
+constexpr double most_seconds_of_mistakes = 1.5;  ///< in finding out whether it is so of most mistakes
 
-/// The function that most rows of a value are answers of, or the only one that is asked.
-std::string function_behind(const QuestionLog& log, const std::string& value)
+/// Is the same place changed as by `question`?
+auto changes_at(const OtherQuestion& question)
 {
-    std::map<std::string, std::size_t> rows;
-    if (const auto found = log.rows.find(value); found != log.rows.end())
-        for (const std::uint32_t question : found->second)
-            if (const QuestionKind* const kind = question > 0 ? log.kind_of(question - 1) : nullptr)
-                ++rows[kind->function];
-    const auto most = std::ranges::max_element(rows, {}, [](const auto& one) { return one.second; });
-    if (most != rows.end()) return most->first;
-    return log.kinds.size() == 1 ? log.kinds.front().function : "";
+    return [&question](const OtherAnswers& other) {
+        return other.question.function == question.function && other.question.place == question.place;
+    };
 }
 
 /// A check with the inputs of one seed: which of its answers are wrong as they were asked.
@@ -65,6 +60,7 @@ public:
         drop_moved(*first, tried);
         if (places_of(tried) > most_changed_places) return {};
         drop_what_is_so_of_most(*first, tried);
+        if (tried.empty()) return {};
         bool is_confirmed = first->wrong > 1;
         for (const std::size_t place : {fresh_changes_place, fresh_changes_place + 1}) {
             const std::optional<AskedOnce> fresh = asked_at(varied_seed(asked_, place));
@@ -101,7 +97,7 @@ private:
         const AskedAnswers answers = asked_answers(worker_, asked_, seed);
         const QuestionLog& log = questions_at(worker_, asked_, seed);
         if (function_.empty()) function_ = function_asked_most(answers, log);
-        if (function_.empty()) function_ = function_behind(log, check.value);
+        if (function_.empty()) function_ = function_asked_most(log, check.value);
         if (function_.empty()) return std::nullopt;
         AskedOnce once{seed, right};
         if (has_single_rows(check, yours, right)) {
@@ -184,23 +180,18 @@ private:
         const QuestionLog& log = questions_at(worker_, asked_, once.seed);
         std::vector<OtherAnswers> moved;
         for (const OtherQuestion& move : log.moves)
-            if (move.change != "moved order" && std::ranges::any_of(tried, [&](const OtherAnswers& one) {
-                    return one.question.function == move.function && one.question.place == move.place;
-                }))
-                moved.push_back({move});
+            if (move.change != "moved order" && std::ranges::any_of(tried, changes_at(move))) moved.push_back({move});
         keep_right(once, moved);
-        std::erase_if(tried, [&](const OtherAnswers& one) {
-            return std::ranges::any_of(moved, [&](const OtherAnswers& other) {
-                return one.question.function == other.question.function && one.question.place == other.question.place;
-            });
-        });
+        std::erase_if(tried,
+                      [&](const OtherAnswers& one) { return std::ranges::any_of(moved, changes_at(one.question)); });
     }
 
     /// With no light, all shadows are right, whatever is wrong with them. What there is no time to find out of is left
     /// out too.
     void drop_what_is_so_of_most(const AskedOnce& once, std::vector<OtherAnswers>& tried)
     {
-        const OtherMistakes mistakes(worker_, asked_);
+        if (tried.empty()) return;
+        OtherMistakes mistakes(worker_, asked_);
         SpareTime time;
         time.allow(most_seconds_of_mistakes);
         std::erase_if(tried, [&](const OtherAnswers& one) {

@@ -2,20 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
-#include <set>
-#include <span>
 #include <string_view>
 
 #include "explain/questions_in_turn.hpp"
-#include "judge/rows/tensor_view.hpp"
 #include "question/movable.hpp"
 
 namespace umbral::grader {
 namespace {
-
-constexpr double most_changed = 0.8;  ///< of the right answers: with more, it is another question
 
 /// Whether the change takes something away that code can be wrong about, and leaves a question that is one still: its
 /// place among those that do, the likeliest first.
@@ -46,22 +40,6 @@ bool is_number_or_vector(const QuestionLog& log, const OtherQuestion& question)
     });
 }
 
-std::size_t different_rows(const Tensor& tensor)
-{
-    std::set<std::vector<std::byte>> rows;
-    const std::size_t size = tensor.components * size_of(tensor.element);
-    for (std::size_t row = 0; row < tensor.cells(); ++row) {
-        const auto bytes = std::span(tensor.bytes).subspan(row * size, size);
-        rows.emplace(bytes.begin(), bytes.end());
-    }
-    return rows.size();
-}
-
-bool is_all_zero(const Tensor& tensor)
-{
-    return std::ranges::all_of(to_doubles(tensor), [](double x) { return x == 0; });
-}
-
 }
 
 bool leaves_out(const OtherQuestion& question) { return question.change == left_out || is_of_list(question); }
@@ -83,30 +61,6 @@ std::vector<OtherQuestion> simpler_questions(const QuestionLog& log, const std::
     std::vector<OtherQuestion> all;
     for (auto& [place, question] : likely) all.push_back(std::move(question));
     return all;
-}
-
-double share_changed(const Tensor& before, const Tensor& after)
-{
-    const std::vector<double> one = numbers_or_nan(before);
-    const std::vector<double> other = numbers_or_nan(after);
-    if (one.size() != other.size()) return 1;
-    double size = 0;
-    double change = 0;
-    for (std::size_t i = 0; i < one.size(); ++i) {
-        if (!std::isfinite(one[i]) || !std::isfinite(other[i])) continue;
-        size += std::abs(one[i]);
-        change += std::abs(one[i] - other[i]);
-    }
-    return size > 0 ? std::min(change / size, 1.0) : 1;
-}
-
-bool leaves_answers(const OtherQuestion& change, const Tensor& before, const Tensor& after)
-{
-    const bool same_form = before.rows == after.rows && before.columns == after.columns;
-    const std::size_t least = leaves_out(change) || change.change.starts_with("without ") ? 1 : 3;
-    if (4 * after.cells() < least * before.cells() || (same_form && share_changed(before, after) > most_changed))
-        return false;
-    return 2 * different_rows(after) > different_rows(before) && (!is_all_zero(after) || is_all_zero(before));
 }
 
 }

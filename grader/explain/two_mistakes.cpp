@@ -149,11 +149,8 @@ std::vector<MistakenCheck> mistaken_checks(Worker& worker, const Exercise& exerc
             for (std::size_t i = 0; i < mistakes.size(); ++i) {
                 const bool is_in_one =
                     std::ranges::any_of(pairs, [i](const Pair& pair) { return pair.first == i || pair.second == i; });
-                const KnownSolution& mistake = mistakes[i];
-                const RunOutcome* const run = is_in_one
-                                                  ? &worker.run_known(exercise, "mistakes/" + mistake.name,
-                                                                      mistake.sources, group.name, group.result->seed)
-                                                  : nullptr;
+                const RunOutcome* const run =
+                    is_in_one ? &worker.run_known(exercise, mistakes[i], group.name, group.result->seed) : nullptr;
                 const Tensor* tensor =
                     run != nullptr && run->verdict == Verdict::ok ? observed(*check.check, *run) : nullptr;
                 mistaken.by_mistake.push_back(tensor == nullptr ? std::nullopt : std::optional(*tensor));

@@ -23,24 +23,6 @@ bool is_simple(const PossibleCondition& one, const std::vector<Fact>& facts)
     return (is_one && !fact.component) || one.words.ends_with("negative") || one.words.ends_with("positive");
 }
 
-Condition measured(const PossibleCondition& candidate, const std::vector<Fact>& facts, const std::vector<bool>& wrong)
-{
-    Condition condition{.words = candidate.words,
-                        .holds = candidate.holds,
-                        .fitted = candidate.fitted,
-                        .of_answer = candidate.of_answer,
-                        .is_simple = is_simple(candidate, facts),
-                        .fact = candidate.fact,
-                        .compares = candidate.compares,
-                        .also_told_by = {}};
-    for (std::size_t i = 0; i < wrong.size(); ++i) {
-        const bool holds = candidate.holds(facts, i);
-        ++(wrong[i] ? condition.wrong : condition.right);
-        if (holds) ++(wrong[i] ? condition.wrong_where : condition.right_where);
-    }
-    return condition;
-}
-
 /// Where few are wrong, those few right ones for which it holds would be as many.
 bool parted(const Condition& one)
 {
@@ -200,6 +182,24 @@ std::string told_by(const std::vector<std::string>& others)
     return fmt::format("{} and {} tell them apart as well", fmt::join(named, ", "), last);
 }
 
+}
+
+Condition measured(const PossibleCondition& candidate, const std::vector<Fact>& facts, const std::vector<bool>& wrong)
+{
+    Condition condition{.words = candidate.words,
+                        .holds = candidate.holds,
+                        .fitted = candidate.fitted,
+                        .of_answer = candidate.of_answer,
+                        .is_simple = is_simple(candidate, facts),
+                        .fact = candidate.fact,
+                        .compares = candidate.compares,
+                        .also_told_by = {}};
+    for (std::size_t i = 0; i < wrong.size(); ++i) {
+        const bool holds = candidate.holds(facts, i);
+        ++(wrong[i] ? condition.wrong : condition.right);
+        if (holds) ++(wrong[i] ? condition.wrong_where : condition.right_where);
+    }
+    return condition;
 }
 
 bool parts(const Condition& condition, const std::vector<Fact>& facts, const std::vector<bool>& wrong)

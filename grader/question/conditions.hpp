@@ -29,6 +29,12 @@ struct Condition {
     std::size_t right_where = 0;  ///< right answers for which it holds
 };
 
+struct PossibleCondition;
+
+/// The condition, and for how many of these questions it holds.
+[[nodiscard]] Condition measured(const PossibleCondition& candidate, const std::vector<Fact>& facts,
+                                 const std::vector<bool>& wrong);
+
 /// How well a condition must part: the share of wrong answers for which it holds, and of right ones for which it does
 /// not.
 inline constexpr double least_parted = 0.97;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "question/possible_conditions.hpp"
 
@@ -16,21 +17,12 @@ constexpr double most_chance = 1e-5;       ///< that all wrong answers lie there
 constexpr double about_as_few = 1.2;
 
 /// The share of right answers for which it holds; nothing where it does not hold of all wrong ones, or may be chance.
-std::optional<double> right_where(const PossibleCondition& candidate, const std::vector<Fact>& facts,
-                                  const std::vector<bool>& wrong)
+std::optional<double> share_of_right(const Condition& one, const std::vector<Fact>& facts)
 {
-    std::size_t right = 0;
-    std::size_t where = 0;
-    for (std::size_t i = 0; i < wrong.size(); ++i) {
-        const bool holds = candidate.holds(facts, i);
-        if (wrong[i] && !holds) return std::nullopt;
-        right += wrong[i] ? 0 : 1;
-        where += !wrong[i] && holds ? 1 : 0;
-    }
-    if (right - where < least_right_elsewhere) return std::nullopt;
-    const double share = static_cast<double>(where) / static_cast<double>(right);
-    const double chance = std::pow(std::max(share, 0.05), static_cast<double>(wrong.size() - right));
-    const bool is_component = candidate.fact && facts[*candidate.fact].component;
+    if (one.wrong_where < one.wrong || one.right - one.right_where < least_right_elsewhere) return std::nullopt;
+    const double share = static_cast<double>(one.right_where) / static_cast<double>(one.right);
+    const double chance = std::pow(std::max(share, 0.05), static_cast<double>(one.wrong));
+    const bool is_component = one.fact && facts[*one.fact].component;
     return share <= (is_component ? most_of_component : most_right_where) && chance <= most_chance
                ? std::optional(share)
                : std::nullopt;
@@ -42,33 +34,28 @@ std::optional<Condition> one_sided_condition(const std::vector<Fact>& facts, con
 {
     const auto count = static_cast<std::size_t>(std::ranges::count(wrong, true));
     if (count < least_wrong_there || wrong.size() - count < least_right_elsewhere) return std::nullopt;
-    const std::vector<PossibleCondition> all = possible_conditions(facts, wrong);
-    const PossibleCondition* best = nullptr;
+    std::optional<Condition> best;
     double fewest = most_right_where;
-    for (const PossibleCondition& candidate : all) {
+    int cost = 0;
+    for (const PossibleCondition& candidate : possible_conditions(facts, wrong)) {
         if (candidate.accidental || candidate.fitted || candidate.of_answer) continue;
-        const auto share = right_where(candidate, facts, wrong);
+        Condition one = measured(candidate, facts, wrong);
+        const auto share = share_of_right(one, facts);
         if (!share) continue;
         // It parts them: whether that is the reason, others decide (simplest_condition).
         if (*share == 0) return std::nullopt;
-        const bool is_better = best == nullptr || *share * about_as_few < fewest ||
-                               (*share <= fewest * about_as_few && candidate.cost < best->cost);
+        const bool is_better =
+            !best || *share * about_as_few < fewest || (*share <= fewest * about_as_few && candidate.cost < cost);
         if (!is_better) continue;
-        best = &candidate;
+        best = std::move(one);
         fewest = *share;
+        cost = candidate.cost;
     }
-    if (best == nullptr) return std::nullopt;
-    Condition condition{.words = best->words,
-                        .holds = best->holds,
-                        .one_sided = true,
-                        .fact = best->fact,
-                        .compares = best->compares,
-                        .also_told_by = {}};
-    for (std::size_t i = 0; i < wrong.size(); ++i) {
-        ++(wrong[i] ? condition.wrong : condition.right);
-        if (best->holds(facts, i)) ++(wrong[i] ? condition.wrong_where : condition.right_where);
+    if (best) {
+        best->one_sided = true;
+        best->is_simple = false;
     }
-    return condition;
+    return best;
 }
 
 }

@@ -32,6 +32,8 @@ std::string key_of(const Exercise& exercise, const std::string& who, const std::
     return fmt::format("{}\n{}\n{}\n{}", exercise.id, who, case_name, seed);
 }
 
+std::string library_of_mistake(const std::string& name) { return "mistakes/" + name; }
+
 const char* to_string(Answers solution) { return solution == Answers::reference ? "reference" : "oracle"; }
 
 /// How many cells of a value are read where `expected` were: so many more that any honest mistake can be shown.
@@ -96,8 +98,9 @@ RunRequest Worker::students_request(const Exercise& exercise, const Built& built
                                     std::uint64_t seed)
 {
     RunRequest wanted = request(exercise, case_name, seed);
-    wanted.solution =
-        built.mistake.empty() || !exercise.is_cpp() ? built.library : library_of(exercise, "mistakes/" + built.mistake);
+    wanted.solution = built.mistake.empty() || !exercise.is_cpp()
+                          ? built.library
+                          : library_of(exercise, library_of_mistake(built.mistake));
     wanted.mutant = built.mutant;
     wanted.fresh_memory = built.fresh_memory;
     wanted.wanted = this->wanted(exercise, case_name, seed);
@@ -125,7 +128,8 @@ RunRequest Worker::trusted_request(const Exercise& exercise, Answers solution, c
 
 RunOutcome Worker::run(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed)
 {
-    if (!built.mistake.empty()) return run_known(exercise, "mistakes/" + built.mistake, built.sources, case_name, seed);
+    if (!built.mistake.empty())
+        return run_known(exercise, library_of_mistake(built.mistake), built.sources, case_name, seed);
     return run_students(exercise, students_request(exercise, built, case_name, seed));
 }
 
@@ -207,6 +211,12 @@ const RunOutcome& Worker::run_known(const Exercise& exercise, const std::string&
         wanted.wanted = this->wanted(exercise, case_name, seed);
         return run_now(exercise, wanted);
     });
+}
+
+const RunOutcome& Worker::run_known(const Exercise& exercise, const KnownSolution& mistake,
+                                    const std::string& case_name, std::uint64_t seed)
+{
+    return run_known(exercise, library_of_mistake(mistake.name), mistake.sources, case_name, seed);
 }
 
 const CheckBasis& Worker::basis(const Exercise& exercise, const Check& check, std::uint64_t seed)

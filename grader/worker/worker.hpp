@@ -23,6 +23,7 @@
 namespace umbral::grader {
 
 class UnitKeys;
+struct KnownSolution;
 
 /// Whose answers a run gives.
 enum class Answers { reference, oracle };
@@ -175,6 +176,9 @@ public:
     /// ("mistakes/in_float"), or of shaders, which `sources` holds; kept as well.
     [[nodiscard]] const RunOutcome& run_known(const Exercise& exercise, const std::string& library,
                                               const Sources& sources, const std::string& case_name, std::uint64_t seed);
+    /// The same of one of the unit's mistakes.
+    [[nodiscard]] const RunOutcome& run_known(const Exercise& exercise, const KnownSolution& mistake,
+                                              const std::string& case_name, std::uint64_t seed);
 
 private:
     [[nodiscard]] RunOutcome run_now(const Exercise& exercise, const RunRequest& request);

@@ -79,7 +79,7 @@ private:
 
     RunOutcome run_of(const KnownSolution& mistake, const std::string& name, std::uint64_t seed)
     {
-        return worker_.run_known(exercise_, "mistakes/" + mistake.name, mistake.sources, name, seed);
+        return worker_.run_known(exercise_, mistake, name, seed);
     }
 
     /// The values that checks look at, each changed; the same change for the same seed.

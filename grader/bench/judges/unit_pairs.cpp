@@ -50,8 +50,7 @@ void visit_picture(Worker& worker, Worker& other_gl, const Exercise& exercise, c
     }
     for (const KnownSolution& mistake : mistakes_of(reference, exercise)) {
         if (mistake.verdict) continue;
-        const RunOutcome& run =
-            worker.run_known(exercise, "mistakes/" + mistake.name, mistake.sources, check.case_name, seed);
+        const RunOutcome& run = worker.run_known(exercise, mistake, check.case_name, seed);
         if (run.verdict == Verdict::ok)
             subject.show(tensor_of(run, check.value), "mistake: " + mistake.name, true, visit);
     }

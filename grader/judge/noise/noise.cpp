@@ -43,7 +43,7 @@ double credit_for(double misplaced)
 std::vector<std::string> quantity_names(const Tensor* names, int quantities)
 {
     const auto known = event_names(text_of(names));
-    std::vector<std::string> all(static_cast<std::size_t>(std::max(quantities, 0)));
+    std::vector<std::string> all(static_cast<std::size_t>(quantities));
     for (int i = 0; i < quantities; ++i)
         if (const auto found = known.find(i); found != known.end()) all[static_cast<std::size_t>(i)] = found->second;
     return all;

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "question/log.hpp"
+
+#include <umbral/record/tensor.hpp>
+
+namespace umbral::grader {
+
+/// How much the right answers change, as a share of their size; 1 where the two tables are not of one form.
+[[nodiscard]] double share_changed(const Tensor& before, const Tensor& after);
+
+/// Is there about as much to be answered right as there was, with the change? Not where a count taken as 0 leaves
+/// nothing of a list.
+[[nodiscard]] bool leaves_answers(const OtherQuestion& change, const Tensor& before, const Tensor& after);
+
+}
