@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <raytracing/path-tracing/furnaces.hpp>
 #include <raytracing/path-tracing/questions.hpp>
 #include <raytracing/rays.hpp>
 
