@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -38,6 +39,22 @@ std::vector<std::string> meanings_of(const std::string& column)
     return words;
 }
 
+/// Is this number of each row right whatever else is wrong, and several whole ones? Then it says which row it is.
+bool is_label(const AskedAnswers& answers, std::size_t component)
+{
+    constexpr std::size_t least_labels = 3;
+    if (component >= answers.columns.size() || answers.components < 2) return false;
+    std::set<double> labels;
+    for (const AskedAnswer& one : answers.all) {
+        const auto& [yours, expected] = std::pair(one.answer.yours, one.answer.expected);
+        if (expected.size() <= component || yours.size() <= component) return false;
+        if (yours[component] != expected[component] || expected[component] != std::round(expected[component]))
+            return false;
+        labels.insert(expected[component]);
+    }
+    return labels.size() >= least_labels;
+}
+
 /// Adds what is known of right answers by name, as add_answer() adds the numbers.
 void name_answers(const AskedAnswers& answers, QuestionTable& table)
 {
@@ -47,6 +64,11 @@ void name_answers(const AskedAnswers& answers, QuestionTable& table)
         const std::string column = i < answers.columns.size() ? answers.columns[i] : "";
         table.words.resize(table.names.size());
         table.words.push_back(meanings_of(column));
+        if (is_label(answers, i)) {
+            table.labels.push_back(table.names.size());
+            table.names.push_back(column_word(column, 0).name);
+            continue;
+        }
         table.names.push_back(answers.components == 1 ? right_answer
                               : column.empty()        ? fmt::format("{}[{}]", right_answer, i)
                                                : fmt::format("{}.{}", right_answer, column_word(column, 0).name));

@@ -232,6 +232,8 @@ void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<An
         if (table.columns.size() == table.components) vectors.names = table.columns;
         if (auto relation = relation_of(vectors, table.facts)) found.push_back(std::move(*relation));
     }
+    if (which.size() > 1)
+        if (const auto distance = distance_of(table, wrong, which, columns)) found.push_back({"is " + *distance});
     if (which.size() > 1) add_matrix_columns(table, wrong, which, found);
     if (which.size() > 1) add_change_of_all(table, wrong, which, place, found);
     if (which.size() > 1 && !place.empty())

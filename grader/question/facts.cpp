@@ -74,6 +74,16 @@ double extreme(const std::vector<double>& row, const VectorColumns& a, const Bes
     return found;
 }
 
+/// How many coordinates of a vector that is not zero are as large as its largest, beside that one, without their signs.
+double ties_in(const std::vector<double>& row, const VectorColumns& a)
+{
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size; ++i) largest = std::max(largest, std::abs(row[a.first + i]));
+    double as_large = 0;
+    for (std::size_t i = 0; i < a.size; ++i) as_large += std::abs(row[a.first + i]) == largest ? 1 : 0;
+    return largest > 0 && std::isfinite(largest) ? std::max(0.0, as_large - 1) : 0;
+}
+
 template <class Value>
 Fact fact(std::string words, Fact::Kind kind, const QuestionTable& table, const Value& value)
 {
@@ -159,7 +169,7 @@ std::vector<Fact> facts_of(const QuestionTable& table)
     for (std::size_t i = 0; i < table.names.size(); ++i) {
         facts.push_back(fact(table.names[i], Fact::Kind::number, table, [&](const auto& row) { return row[i]; }));
         facts.back().first = table.first == i;
-        facts.back().answer = i >= table.answers;
+        facts.back().answer = i >= table.answers && std::ranges::find(table.labels, i) == table.labels.end();
         if (i < table.words.size()) facts.back().value_names = table.words[i];
         const auto holds_it = [&](const VectorColumns& vector) {
             return i >= vector.first && i < vector.first + vector.size;
@@ -179,6 +189,8 @@ std::vector<Fact> facts_of(const QuestionTable& table)
         };
         add_coordinate("least", [](double x, double y) { return std::min(x, y); });
         add_coordinate("largest", [](double x, double y) { return std::max(x, y); });
+        if (a.first < table.answers && quantity_of(a.words) != Quantity::light)
+            facts.push_back(fact(a.words, Fact::Kind::tie, table, [&](const auto& row) { return ties_in(row, a); }));
         for (std::size_t j = i + 1; j < std::min(vectors.size(), most_vectors); ++j) {
             const VectorColumns& b = vectors[j];
             if (a.size != b.size || b.first >= table.answers) continue;

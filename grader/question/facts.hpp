@@ -12,8 +12,8 @@ namespace umbral::grader {
 /// A number that can be told of each of several questions, in words: "the length of ray.direction".
 struct Fact {
     /// What may be compared: numbers of the question itself, lengths and distances with each other, products of vectors
-    /// and their coordinates with 0 or a bound.
-    enum class Kind { number, length, product, parallel, coordinate };
+    /// and their coordinates with 0 or a bound. A tie is how many coordinates are as large as the largest, beside it.
+    enum class Kind { number, length, product, parallel, coordinate, tie };
 
     std::string words;
     Kind kind = Kind::number;
@@ -33,6 +33,7 @@ struct QuestionTable {
     std::size_t answers = static_cast<std::size_t>(-1);  ///< from this number on they are of the right answer
     std::vector<std::vector<std::string>> words{};       ///< as QuestionKind::words; fewer: the others have none
     std::optional<std::size_t> first{};  ///< the number that is the best reason, of several that part alike
+    std::vector<std::size_t> labels{};   ///< numbers behind `answers` that are no answer: which row it is
 };
 
 /// Numbers that are a vector together: "ray.origin", from the third on, 3 of them.
@@ -45,7 +46,8 @@ struct VectorColumns {
 /// The vectors among numbers that are called so: "ray.origin.x", "ray.origin.y" …
 [[nodiscard]] std::vector<VectorColumns> vectors_in(const std::vector<std::string>& names);
 
-/// All that is told of the questions: their numbers, the lengths, least and largest coordinates of vectors, distances
+/// All that is told of the questions: their numbers, the lengths, least and largest coordinates of vectors and
+/// ties between these, distances
 /// and products between two, areas and determinants of three, and determinants of matrices.
 [[nodiscard]] std::vector<Fact> facts_of(const QuestionTable& table);
 

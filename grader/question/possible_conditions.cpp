@@ -7,127 +7,11 @@
 #include <limits>
 #include <set>
 
+#include "question/plain_conditions.hpp"
 #include "question/rounded.hpp"
 
 namespace umbral::grader {
 namespace {
-
-constexpr double alike = 1e-5;  ///< of lengths of unit vectors, sines of parallel ones
-
-PossibleCondition of_one(std::string words, std::size_t fact, int cost, bool (*test)(double))
-{
-    return {std::move(words),
-            [fact, test](const std::vector<Fact>& facts, std::size_t i) { return test(facts[fact].values[i]); }, cost};
-}
-
-bool is_finite(double x) { return std::isfinite(x); }
-bool is_integer(double x) { return std::isfinite(x) && x == std::round(x); }
-bool is_minus_zero(double x) { return x == 0 && std::signbit(x); }
-
-/// Of conditions that say the same, the one about the question's own numbers is said.
-int cost_of(const Fact& fact)
-{
-    if (fact.first) return -1;
-    // What was asked says more than what is right.
-    if (fact.answer) return 5;
-    if (fact.component) return 3;
-    switch (fact.kind) {
-        case Fact::Kind::number: return 0;
-        case Fact::Kind::length: return 1;
-        case Fact::Kind::coordinate: return 4;
-        // Of a product that is 0, the vector that is 0 is the reason, where there is one.
-        case Fact::Kind::product:
-        case Fact::Kind::parallel: break;
-    }
-    return 2;
-}
-
-/// Are there several different odd numbers, and even ones? That one of few numbers is odd says nothing of oddness.
-bool are_of_either_parity(const std::vector<double>& numbers)
-{
-    constexpr std::size_t least_different = 3;
-    std::set<double> odd;
-    std::set<double> even;
-    for (const double x : numbers) (std::fmod(std::abs(x), 2) == 1 ? odd : even).insert(x);
-    return std::min(odd.size(), even.size()) >= least_different;
-}
-
-/// Of a number that stands for a word: "rule is even_odd", "closed is true".
-void add_named(const std::vector<Fact>& facts, std::size_t i, std::vector<PossibleCondition>& all)
-{
-    const Fact& fact = facts[i];
-    const bool two = fact.value_names.size() == 2;
-    for (std::size_t k = 0; k < fact.value_names.size(); ++k) {
-        const double value = static_cast<double>(k);
-        const auto add = [&](const char* is, bool equal, int cost) {
-            all.push_back({fmt::format("{} {} {}", fact.words, is, fact.value_names[k]),
-                           [i, value, equal](const std::vector<Fact>& others, std::size_t question) {
-                               return (others[i].values[question] == value) == equal;
-                           },
-                           cost});
-        };
-        add("is", true, 0);
-        if (!two) add("is not", false, 1);
-    }
-}
-
-/// Is it the least or the largest number of a whole list? Whichever that is, it is hardly ever the reason.
-bool is_extreme_of_list(const Fact& fact)
-{
-    return fact.words.starts_with("the least number") || fact.words.starts_with("the largest number");
-}
-
-/// Conditions that need no number: signs, zero, one, not finite.
-void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<PossibleCondition>& all)
-{
-    const Fact& fact = facts[i];
-    if (!fact.value_names.empty()) return add_named(facts, i, all);
-    const std::string& words = fact.words;
-    const int cost = cost_of(fact);
-    if (fact.kind == Fact::Kind::parallel) {
-        // Of some it may be true up to a rounding only, which can be what matters.
-        constexpr double rounding = 1e-15;
-        const auto nearly = [&](auto is_so) { return std::ranges::any_of(fact.values, is_so) ? ", or nearly" : ""; };
-        const std::string parallel = nearly([](double x) { return x > rounding && x < alike; });
-        const std::string perpendicular = nearly([](double x) { return x > 1 - alike * alike && x < 1 - rounding; });
-        all.push_back(of_one(words + " are parallel" + parallel, i, cost, [](double x) { return x < alike; }));
-        all.push_back(of_one(words + " are not parallel", i, cost + 1, [](double x) { return x >= alike; }));
-        all.push_back(of_one(words + " are perpendicular" + perpendicular, i, cost,
-                             [](double x) { return x > 1 - alike * alike; }));
-        return;
-    }
-    all.push_back(of_one(words + " is not finite", i, cost, [](double x) { return !is_finite(x); }));
-    all.push_back(of_one(words + " is finite", i, cost + 1, is_finite));
-    if (!is_extreme_of_list(fact)) {
-        all.push_back(of_one(words + " is 0", i, cost, [](double x) { return x == 0; }));
-        all.push_back(of_one(words + " is not 0", i, cost, [](double x) { return x != 0; }));
-    }
-    if (fact.kind == Fact::Kind::number) {
-        all.push_back(of_one(words + " is -0", i, cost + 1, is_minus_zero));
-        all.push_back(of_one(words + " is no number", i, cost + 1, [](double x) { return std::isnan(x); }));
-        all.push_back(of_one(words + " is infinite", i, cost + 1, [](double x) { return std::isinf(x); }));
-    }
-    all.push_back(of_one(words + " is negative", i, cost, [](double x) { return x < 0; }));
-    all.push_back(of_one(words + " is 0 or negative", i, cost + 1, [](double x) { return x <= 0; }));
-    if (fact.kind == Fact::Kind::product) return;
-    all.push_back(of_one(words + " is positive", i, cost, [](double x) { return x > 0; }));
-    if (fact.kind == Fact::Kind::coordinate || is_extreme_of_list(fact)) return;
-    all.push_back(of_one(words + " is 1", i, cost + 1, [](double x) { return std::abs(x - 1) < alike; }));
-    all.push_back(of_one(words + " is not 1", i, cost + 1, [](double x) { return !(std::abs(x - 1) < alike); }));
-    if (!std::ranges::all_of(fact.values, is_integer)) {
-        const auto add = [&](const char* is, bool (*test)(double)) {
-            all.push_back(of_one(words + is, i, cost + 5, test));
-            // Very large floats are whole numbers: where one coordinate is, its size is the reason.
-            all.back().accidental = fact.component;
-        };
-        add(" is a whole number", is_integer);
-        add(" is no whole number", [](double x) { return !is_integer(x); });
-        return;
-    }
-    if (!are_of_either_parity(fact.values)) return;
-    all.push_back(of_one(words + " is odd", i, cost + 2, [](double x) { return std::fmod(std::abs(x), 2) == 1; }));
-    all.push_back(of_one(words + " is even", i, cost + 2, [](double x) { return std::fmod(std::abs(x), 2) == 0; }));
-}
 
 /// Do these numbers differ by so much that their magnitudes say more than their differences?
 bool are_magnitudes(double least, double largest) { return least > 0 && largest > 1e4 * least; }
@@ -154,7 +38,7 @@ bool is_close(const std::vector<double>& values, double bound)
     constexpr double most_gap = 0.125;  ///< of what all values span
     const auto place = std::ranges::lower_bound(values, bound);
     const auto fewer = std::min(place - values.begin(), values.end() - place);
-    if (std::ranges::all_of(values, is_integer)) return fewer >= least_whole;
+    if (std::ranges::all_of(values, is_whole_number)) return fewer >= least_whole;
     if (fewer < least) return false;
     const double below = *(place - 1);
     if (are_magnitudes(values.front(), values.back()))
@@ -167,7 +51,7 @@ void add_threshold(const std::vector<Fact>& facts, std::size_t i, const std::vec
                    std::vector<PossibleCondition>& all)
 {
     const Fact& fact = facts[i];
-    if (fact.kind == Fact::Kind::parallel || !fact.value_names.empty()) return;
+    if (fact.kind == Fact::Kind::parallel || fact.kind == Fact::Kind::tie || !fact.value_names.empty()) return;
     struct Pair {
         double value;
         bool wrong;
@@ -197,7 +81,7 @@ void add_threshold(const std::vector<Fact>& facts, std::size_t i, const std::vec
     }
     if (best == 0) return;
     // Codes and counts: nothing lies between them, and what is right has no order that anybody thinks of.
-    const bool whole = std::ranges::all_of(values, is_integer);
+    const bool whole = std::ranges::all_of(values, is_whole_number);
     const double bound = whole ? sorted[best].value : between(sorted[best - 1].value, sorted[best].value);
     // What needs no number is simpler, if it parts them as well.
     const int cost = std::max(cost_of(fact), 0) + 4;
@@ -231,7 +115,7 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
     const bool same_component =
         facts[i].component && facts[j].component && component_of(facts[i].words) == component_of(facts[j].words);
     const auto comparable = [same_component](const Fact& fact) {
-        if (is_extreme_of_list(fact) || fact.answer) return false;
+        if (is_extreme_of_list(fact) || is_length_of_lists(fact) || fact.answer) return false;
         return fact.kind == Fact::Kind::length ||
                (fact.kind == Fact::Kind::number && (!fact.component || same_component));
     };
@@ -276,6 +160,7 @@ std::vector<PossibleCondition> possible_conditions(const std::vector<Fact>& fact
         const std::size_t before = all.size();
         add_plain(facts, i, all);
         add_threshold(facts, i, wrong, all);
+        add_single_value(facts, i, wrong, all);
         for (std::size_t k = before; k < all.size(); ++k) {
             all[k].of_answer = facts[i].answer;
             all[k].fact = i;

@@ -8,10 +8,10 @@
 #include "question/alike.hpp"
 #include "question/answer_columns.hpp"
 #include "question/answer_relations.hpp"
+#include "question/distance_relation.hpp"
 #include "question/number_changes.hpp"
 
 namespace umbral::grader {
-
 namespace {
 
 /// Are there so many, and is each the same?
@@ -64,8 +64,12 @@ std::optional<AnswerPattern> change_of(const AnswerTable& table, const std::vect
     NumberPairs pairs = numbers_in(wrong, table.components, component);
     if (auto change = change_of_numbers(pairs.yours, pairs.right)) return change;
     const WrongNumbers numbers{std::move(pairs.yours), std::move(pairs.right), questions_of(table, wrong)};
-    if (!numbers.questions.empty())
-        if (auto relation = relation_of(numbers, table.facts)) return AnswerPattern{*std::move(relation)};
+    if (!numbers.questions.empty()) {
+        auto relation = relation_of(numbers, table.facts);
+        if (!relation) relation = distance_relation({numbers}, {}, table.facts);
+        if (!relation) relation = difference_relation(numbers, table.facts);
+        if (relation) return AnswerPattern{*std::move(relation)};
+    }
     if (table.components > 1 && all_alike(numbers.yours) && !table.picture)
         return AnswerPattern{fmt::format("{:.6g}", numbers.yours.front()), CommonTells::constant};
     for (std::size_t other = table.keys; other < std::min(table.components, columns.size()); ++other) {
@@ -76,6 +80,21 @@ std::optional<AnswerPattern> change_of(const AnswerTable& table, const std::vect
                 fmt::format("the right {}{}", columns[other], *sign > 0 ? "" : " with the opposite sign")};
     }
     return std::nullopt;
+}
+
+std::optional<std::string> distance_of(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong,
+                                       const std::vector<std::size_t>& which, const std::vector<std::string>& columns)
+{
+    const std::vector<std::size_t> questions = questions_of(table, wrong);
+    if (questions.empty() || columns.size() != table.components) return std::nullopt;
+    std::vector<WrongNumbers> all;
+    std::vector<std::string> names;
+    for (const std::size_t component : which) {
+        NumberPairs pairs = numbers_in(wrong, table.components, component);
+        all.push_back({std::move(pairs.yours), std::move(pairs.right), questions});
+        names.push_back(columns[component]);
+    }
+    return distance_relation(all, names, table.facts);
 }
 
 std::optional<std::string> of_another_name(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong,

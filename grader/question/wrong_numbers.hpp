@@ -30,6 +30,12 @@ struct NumberPairs {
                                                      const std::vector<const AnswerPair*>& wrong, std::size_t component,
                                                      const std::vector<std::string>& columns);
 
+/// Of several wrong numbers of each row: "2 times as far from box as the right one" (distance_relation.hpp).
+[[nodiscard]] std::optional<std::string> distance_of(const AnswerTable& table,
+                                                     const std::vector<const AnswerPair*>& wrong,
+                                                     const std::vector<std::size_t>& which,
+                                                     const std::vector<std::string>& columns);
+
 /// Where the wrong numbers of each row are some of those that have a name together, as a colour's: whose right ones
 /// they are, "the right diffuse".
 [[nodiscard]] std::optional<std::string> of_another_name(const AnswerTable& table,

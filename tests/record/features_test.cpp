@@ -41,6 +41,17 @@ TEST(Features, of_long_lists_count_what_was_looked_at)
     EXPECT_EQ(features_of(numbers).values[1], static_cast<double>(numbers.size() - 1));
 }
 
+TEST(Features, of_lists_of_lists_tell_how_long_these_are)
+{
+    const Features strips = features_of(std::vector<std::vector<int>>{{4, 1, 2}, {7, 8}, {0, 1, 2, 3, 4}});
+    EXPECT_EQ(strips.names, (Names{"0.size()", "the number of different elements in 0", "the least number in 0",
+                                   "the largest number in 0", "the length of the shortest list in 0",
+                                   "the length of the longest list in 0"}));
+    EXPECT_EQ(strips.values, (Numbers{3, 3, 0, 8, 2, 5}));
+    EXPECT_EQ(features_of(std::vector<std::vector<int>>()).values, (Numbers{0, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(features_of(std::vector<std::string>{"a"}).values.size(), 4U) << "texts are no lists";
+}
+
 TEST(Features, of_short_arrays_are_those_of_their_elements)
 {
     const Features triangle = features_of(std::array<glm::vec2, 3>{{{1, 2}, {3, 4}, {5, 6}}});

@@ -79,7 +79,22 @@ namespace detail {
     return key;
 }
 
-/// How many there are, how many different ones, the least and the largest number in them.
+/// How many elements the shortest and the longest have; of no lists 0.
+template <class Lists>
+void add_lengths(const Place& place, const Lists& lists, Features& features)
+{
+    std::size_t shortest = 0;
+    std::size_t longest = 0;
+    for (bool is_first = true; const auto& list : lists) {
+        shortest = is_first ? list.size() : std::min(shortest, list.size());
+        longest = std::max(longest, list.size());
+        is_first = false;
+    }
+    features.add(static_cast<double>(shortest), [&] { return "the length of the shortest list in " + place.text(); });
+    features.add(static_cast<double>(longest), [&] { return "the length of the longest list in " + place.text(); });
+}
+
+/// How many there are, how many different ones, the least and the largest number in them; of lists their lengths too.
 template <class List>
 void add_features_of_list(const Place& place, const List& list, Features& features)
 {
@@ -98,6 +113,9 @@ void add_features_of_list(const Place& place, const List& list, Features& featur
     features.add(static_cast<double>(list.size() - equal), with("the number of different elements in "));
     features.add(inside.values.empty() ? 0 : *least, with("the least number in "));
     features.add(inside.values.empty() ? 0 : *largest, with("the largest number in "));
+    using Element = std::remove_cvref_t<decltype(*list.begin())>;
+    if constexpr (literal::detail::List<Element> && !literal::detail::Text<Element> && !is_short_array<Element>)
+        add_lengths(place, list, features);
 }
 
 }
