@@ -23,6 +23,13 @@ double distance(const Row& a, const Row& b)
     return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
 
+/// How far a row that came is from being an expected one: one with the same numbers in another order, as of a triangle
+/// that is turned over, is nearer than any other.
+std::pair<bool, double> apart_from(const Row& came, const Row& expected)
+{
+    return {!std::ranges::is_permutation(came, expected), distance(came, expected)};
+}
+
 /// The rows without their keys.
 std::vector<Row> values_of(const TensorView& list, std::size_t keys)
 {
@@ -67,7 +74,7 @@ std::optional<Difference> first_value_apart(const Tensor& yours, const Tensor& e
     apart.cell = lacking.front();
     apart.expected = row_text(row);
     const auto nearest =
-        std::ranges::min_element(surplus, {}, [&](std::size_t other) { return distance(my_rows[other], row); });
+        std::ranges::min_element(surplus, {}, [&](std::size_t other) { return apart_from(my_rows[other], row); });
     if (nearest != surplus.end()) apart.yours = row_text(my_rows[*nearest]);
     return apart;
 }

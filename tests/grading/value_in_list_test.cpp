@@ -40,6 +40,11 @@ TEST(ValueInList, what_is_expected_nowhere_stands_beside_what_is_nearest_to_it)
     EXPECT_EQ(told({{0, 0}, {8, 0}, {8, 3}, {4, 4}, {8, 5}}, square), "(4, 4) for nothing");
 }
 
+TEST(ValueInList, the_same_numbers_in_another_order_are_nearer_than_any_other)
+{
+    EXPECT_EQ(told({{5, 1}, {1, 4}}, {{1, 5}, {2, 9}}), "(5, 1) for (1, 5) in row 0");
+}
+
 TEST(ValueInList, equal_ones_are_counted)
 {
     EXPECT_EQ(told({{1, 1}, {2, 2}}, {{1, 1}, {1, 1}, {2, 2}}), "nothing for (1, 1) in row 1");

@@ -20,10 +20,14 @@ void append_row(Recorder& out, const char* name, std::initializer_list<std::uint
     out.append(name, std::span<const float>(row));
 }
 
-void append_list(Recorder& out, const char* name, const std::vector<std::uint32_t>& list, std::size_t count)
+/// Which table the rows of "starts" are of.
+enum class Of { vertex, face };
+
+void append_starts(Recorder& out, Of of, const std::vector<std::uint32_t>& edges, std::size_t count)
 {
     for (std::size_t i = 0; i < count; ++i)
-        out.append(name, i < list.size() ? static_cast<float>(list[i]) : std::nanf(""));
+        out.append("starts", std::vector<float>{static_cast<float>(of), static_cast<float>(i),
+                                                i < edges.size() ? static_cast<float>(edges[i]) : std::nanf("")});
 }
 
 /// The three tables; `expected` says how long they should be.
@@ -45,8 +49,9 @@ void record_tables(Recorder& out, const PolygonMesh& mesh)
             out.append("edges", std::vector<float>(8, std::nanf("")));
         }
     }
-    append_list(out, "starts", tables.edge_of_vertex, mesh.positions.size());
-    append_list(out, "starts", tables.edge_of_face, mesh.faces.size());
+    out.columns("starts", "of (0: vertex; 1: face), number, edge");
+    append_starts(out, Of::vertex, tables.edge_of_vertex, mesh.positions.size());
+    append_starts(out, Of::face, tables.edge_of_face, mesh.faces.size());
 }
 
 /// The fault and where; zeros for a mesh that was accepted.

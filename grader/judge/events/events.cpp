@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "judge/events/partners.hpp"
 #include "judge/events/rule.hpp"
 #include "judge/rows/tolerance.hpp"
 
@@ -196,24 +197,33 @@ Judgement judge_events(const Check& check, const Tensor& student, const Tensor& 
     if (!gap) return judgement;
 
     const EventWriter write(expected, text_of(names));
+    FirstApart shown;
+    if (gap->surplus > 0) shown.yours = gap->yours;
+    if (gap->lost > 0) shown.expected = gap->expected;
+    const auto same = [&check](std::span<const double> a, std::span<const double> b) {
+        return same_event(check.tolerance, a, b);
+    };
+    const std::optional<EventPair> meant = meant_pair(yours, expected, alignment, shown, same);
+    if (meant) shown = {meant->yours, meant->expected};
     auto [came, wanted] = telling_apart([&](int digits) {
-        if (gap->surplus > 0 && gap->lost > 0)
-            return write.beside(yours.cell(gap->yours), expected.cell(gap->expected), digits);
-        return std::pair(gap->surplus > 0 ? write(yours.cell(gap->yours), digits) : "nothing",
-                         gap->lost > 0 ? write(expected.cell(gap->expected), digits) : "nothing");
+        if (shown.yours && shown.expected)
+            return write.beside(yours.cell(*shown.yours), expected.cell(*shown.expected), digits);
+        return std::pair(shown.yours ? write(yours.cell(*shown.yours), digits) : "nothing",
+                         shown.expected ? write(expected.cell(*shown.expected), digits) : "nothing");
     });
     const Parting parting{check.tolerance, yours, expected, alignment, *gap};
-    const std::string words = in_words(parting, came, wanted);
+    const std::string words = meant ? one_for_another(came, wanted) : in_words(parting, came, wanted);
     const bool is_instead = words == one_for_another(came, wanted);
-    tell_where_else(parting, came, wanted);
+    if (!meant) tell_where_else(parting, came, wanted);
     // What is only too much stands between two rows, and neither of their questions need have led to it.
-    judgement.first_difference = Difference{fmt::format("row {} of {} events", gap->expected, expected.cells()), came,
-                                            wanted, gap->lost > 0 ? std::optional(gap->expected) : std::nullopt};
+    const std::size_t row = shown.expected.value_or(gap->expected);
+    judgement.first_difference =
+        Difference{fmt::format("row {} of {} events", row, expected.cells()), came, wanted, shown.expected};
     std::string counts = fmt::format("{} of {} expected events are right", matched, expected.cells());
     if (surplus > 0)
         counts += fmt::format("; {}{} that came {} not expected", alignment.best ? "" : "about ", surplus,
                               surplus == 1 ? "is" : "are");
-    judgement.message = fmt::format("row {}: {} ({})", gap->expected, words, counts);
+    judgement.message = fmt::format("row {}: {} ({})", row, words, counts);
     if (is_instead) judgement.headline = counts;
     return judgement;
 }
