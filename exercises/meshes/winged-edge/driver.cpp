@@ -20,6 +20,12 @@ void append_row(Recorder& out, const char* name, std::initializer_list<std::uint
     out.append(name, std::span<const float>(row));
 }
 
+void append_list(Recorder& out, const char* name, const std::vector<std::uint32_t>& list, std::size_t count)
+{
+    for (std::size_t i = 0; i < count; ++i)
+        out.append(name, i < list.size() ? static_cast<float>(list[i]) : std::nanf(""));
+}
+
 /// Which table the rows of "starts" are of.
 enum class Of { vertex, face };
 
