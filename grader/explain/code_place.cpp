@@ -1,8 +1,11 @@
 #include "explain/code_place.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -37,10 +40,10 @@ public:
     {
     }
 
-    /// The place that parts wrong answers of the check from right ones, with other inputs as well; `others` are checks
-    /// of other cases.
-    [[nodiscard]] std::optional<PartingPlace> find(const std::vector<const Check*>& others, const CaseResults& cases,
-                                                   const Built& built)
+    /// The place that parts wrong answers of the check from right ones, with other inputs as well, and behind it those
+    /// that part them as it does; `others` are checks of other cases.
+    [[nodiscard]] std::vector<PartingPlace> find(const std::vector<const Check*>& others, const CaseResults& cases,
+                                                 const Built& built)
     {
         std::size_t used = 0;
         PassedPlaces seen;
@@ -51,21 +54,25 @@ public:
             elsewhere = among(others, cases, built);
             add(elsewhere, seen);
         }
-        if (are_wrong_where_given(seen)) return std::nullopt;
+        if (are_wrong_where_given(seen)) return {};
         std::vector<PartingPlace> found = parting_places(seen);
-        if (found.empty()) return std::nullopt;
+        if (found.empty()) return {};
         PassedPlaces fresh;
         for (std::size_t i = 0; i < most_fresh; ++i) add(asked_, varied_seed(asked_, used + i), fresh);
         const bool is_confirmed = !lacks(fresh, true) && !lacks(fresh, false);
         std::erase_if(found, [&](const PartingPlace& one) {
             return is_confirmed ? !parts(place_among(one, fresh)) : are_few(one);
         });
-        if (found.size() <= 1) return found.empty() ? std::nullopt : std::optional(found.front());
+        if (found.size() <= 1) return found;
         // What is reached only where a bug is, is told from what leads there by questions that turn off in between.
         if (elsewhere.wrong.empty()) elsewhere = among(others, cases, built);
         add(fresh, elsewhere);
-        return *std::ranges::min_element(
-            found, {}, [&](const PartingPlace& one) { return strays_of(place_among(one, elsewhere)); });
+        const auto strays = [&](const PartingPlace& one) { return strays_of(place_among(one, elsewhere)); };
+        const PartingPlace best = *std::ranges::min_element(found, {}, strays);
+        std::erase_if(found, [&, fewest = strays(best)](const PartingPlace& one) {
+            return one.of_wrong != best.of_wrong || strays(one) != fewest;
+        });
+        return found;
     }
 
 private:
@@ -150,8 +157,41 @@ std::string sentence_of(const PartingPlace& place)
                        some_of(place.wrong_through, place.wrong, "with wrong ones"));
 }
 
-std::optional<CodePlace> code_place(const Built& built, const SourcePlace& place, const PartingPlace& parting)
+/// "line 29", "lines 29 and 44"
+std::string lines_in_words(const std::vector<int>& lines)
 {
+    const std::vector<int> others(lines.begin(), std::prev(lines.end()));
+    return others.empty() ? fmt::format("line {}", lines.back())
+                          : fmt::format("lines {} and {}", fmt::join(others, ", "), lines.back());
+}
+
+/// "; so they do through lines 29 and 44": where code that the same calls come through stands elsewhere, and where an
+/// equal return does.
+std::string also_through(const SourcePlace& here, const std::vector<PartingPlace>& all, const TracedRuns& traced,
+                         std::string_view file)
+{
+    constexpr int same_block = 1;  // lines that follow each other run together
+    constexpr std::size_t most_lines = 3;
+    std::set<int> lines;
+    for (const PartingPlace& one : all) {
+        const SourcePlace& place = traced.place(one.place);
+        if (place.file != here.file) continue;
+        const auto is_near = [&](int line) { return std::abs(line - place.line) <= same_block; };
+        if (!is_near(here.line) && std::ranges::none_of(lines, is_near)) lines.insert(place.line);
+    }
+    std::string words;
+    if (!lines.empty() && lines.size() <= most_lines)
+        words = "; so they do through " + lines_in_words({lines.begin(), lines.end()});
+    const std::vector<int> returns = equal_returns(file, here.line, here.column);
+    if (!returns.empty() && returns.size() <= most_lines) words += "; the same return stands in " + lines_in_words(returns);
+    return words;
+}
+
+std::optional<CodePlace> code_place(const Built& built, const TracedRuns& traced,
+                                    const std::vector<PartingPlace>& all)
+{
+    const PartingPlace& parting = all.front();
+    const SourcePlace& place = traced.place(parting.place);
     const auto file = built.files.find(place.file);
     if (file == built.files.end()) return std::nullopt;
     const std::optional<std::string_view> line = source_line(file->second, place.line);
@@ -164,7 +204,7 @@ std::optional<CodePlace> code_place(const Built& built, const SourcePlace& place
     // What is written otherwise than it stands in the file has its columns elsewhere.
     const bool as_written = text == line->substr(indent) && column <= static_cast<int>(text.size());
     return CodePlace{place.file, place.line, as_written ? std::max(0, column) : 0, std::move(text),
-                     sentence_of(parting)};
+                     sentence_of(parting) + also_through(place, all, traced, file->second)};
 }
 
 /// Failing checks as they are shown: what is seen before what is hidden.
@@ -208,8 +248,8 @@ void add_code_place(Worker& worker, const Exercise& exercise, const Built& built
         const AskedCheck asked{exercise, check, runs, one, log, no_headers};
         PlaceSearch search(worker, traced_runs, asked);
         const auto found = search.find(checks_beside(exercise, cases, check), cases, built);
-        if (!found) continue;
-        result.checks[i].code_place = code_place(built, traced_runs.place(found->place), *found);
+        if (found.empty()) continue;
+        result.checks[i].code_place = code_place(built, traced_runs, found);
         if (result.checks[i].code_place) return;
     }
 }

@@ -4,6 +4,19 @@
 #include <array>
 
 namespace umbral::grader {
+namespace {
+
+/// Calls `look` with this line and those behind or before it, until the function ends or it says so.
+template <class Look>
+void each_line_of_function(std::string_view text, int line, int step, const Look& look)
+{
+    for (int number = line;; number += step) {
+        const std::optional<std::string_view> one = source_line(text, number);
+        if (!one || one->starts_with('}') || !look(number, *one)) return;
+    }
+}
+
+}
 
 std::optional<std::string_view> source_line(std::string_view text, int number)
 {
@@ -16,6 +29,24 @@ std::optional<std::string_view> source_line(std::string_view text, int number)
     text = text.substr(0, text.find('\n'));
     while (text.ends_with('\r')) text.remove_suffix(1);
     return text;
+}
+
+std::vector<int> equal_returns(std::string_view text, int line, int column)
+{
+    constexpr std::string_view word = "return";
+    const std::optional<std::string_view> here = source_line(text, line);
+    if (!here || column < 1 || static_cast<std::size_t>(column) > here->size()) return {};
+    std::string_view statement = here->substr(static_cast<std::size_t>(column) - 1);
+    statement = statement.substr(0, statement.find(';') + 1);
+    if (!statement.starts_with(word) || !statement.ends_with(';')) return {};
+    std::vector<int> found;
+    for (const int step : {-1, 1})
+        each_line_of_function(text, line + step, step, [&](int number, std::string_view one) {
+            if (one.find(statement) != std::string_view::npos) found.push_back(number);
+            return true;
+        });
+    std::ranges::sort(found);
+    return found;
 }
 
 bool says_what_runs(std::string_view line)

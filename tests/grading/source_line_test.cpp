@@ -16,6 +16,20 @@ TEST(SourceLine, is_taken_without_its_end)
     EXPECT_EQ(source_line(text, 5), std::nullopt);
 }
 
+TEST(SourceLine, equal_returns_of_the_same_function_are_found)
+{
+    const std::string_view text =
+        "int f(int a)\n{\n    if (a < 0) return 0;\n    if (a == 7) return 0;\n    return 1;\n}\n"
+        "int g()\n{\n    return 0;\n}\n";
+    EXPECT_EQ(equal_returns(text, 3, 16), std::vector<int>{4});
+    EXPECT_EQ(equal_returns(text, 4, 17), std::vector<int>{3});
+    EXPECT_EQ(equal_returns(text, 5, 5), std::vector<int>{});
+    EXPECT_EQ(equal_returns(text, 3, 5), std::vector<int>{}) << "that is the if";
+    EXPECT_EQ(equal_returns(text, 3, 0), std::vector<int>{});
+    EXPECT_EQ(equal_returns(text, 99, 5), std::vector<int>{});
+    EXPECT_EQ(equal_returns(text, 3, 99), std::vector<int>{});
+}
+
 TEST(SourceLine, is_shown_if_it_says_what_runs)
 {
     for (const char* const line : {"    return t;", "} else if (a < b) {", "else return 1;", "double f() {", "? a : b;",

@@ -55,7 +55,7 @@ void record_tables(Recorder& out, const PolygonMesh& mesh)
             out.append("edges", std::vector<float>(8, std::nanf("")));
         }
     }
-    out.columns("starts", "of (0: vertex; 1: face), number, edge");
+    out.columns("starts", "table (0: edge_of_vertex; 1: edge_of_face), number, edge");
     append_starts(out, Of::vertex, tables.edge_of_vertex, mesh.positions.size());
     append_starts(out, Of::face, tables.edge_of_face, mesh.faces.size());
 }
