@@ -143,9 +143,10 @@ Result remove_offset(const Check& check, const Tensor& student, const Tensor& ex
 std::string describe_offset(const Check& check, const Tensor& student, const Tensor& expected)
 {
     const auto offset = plain_offset(check, student, expected);
-    return offset
-               ? fmt::format("Your values are off by the constant {:.4g}: a term is missing or counted twice.", *offset)
-               : std::string{};
+    if (!offset) return {};
+    return fmt::format("Your values are off by the constant {:.4g}: {}.", *offset,
+                       *offset > 0 ? "something is added, or counted, that should not be"
+                                   : "something is not added, or not counted, that should be");
 }
 
 /// So many rows must be in another order: fewer are too soon alike.
