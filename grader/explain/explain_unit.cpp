@@ -5,12 +5,11 @@
 #include <list>
 #include <optional>
 #include <span>
-#include <system_error>
-#include <thread>
 #include <tuple>
 
 #include "explain/by_function.hpp"
 #include "explain/explained_checks.hpp"
+#include "explain/mistakes_ahead.hpp"
 #include "explain/other_questions.hpp"
 #include "explain/two_mistakes.hpp"
 #include "judge/explain/explain.hpp"
@@ -31,45 +30,6 @@ struct LikelyMistake {
 /// against, and none for, is not tried on the other cases.
 constexpr std::size_t enough_against = 1;
 
-/// What mistakes do in a case. Where there is a second worker, it begins with the last of them meanwhile.
-class MistakeRuns {
-public:
-    MistakeRuns(Worker& worker, const Exercise& exercise, const CaseChecks& group, std::span<LikelyMistake> mistakes)
-        : worker_(worker), exercise_(exercise), group_(group)
-    {
-        std::vector<const KnownSolution*> all;
-        for (const LikelyMistake& one : mistakes) all.push_back(one.mistake);
-        Worker* const second = all.size() > 1 ? worker.second() : nullptr;
-        if (second == nullptr) return;
-        const auto begin_with_last = [this, second, all](const std::stop_token& stop) {
-            try {
-                for (auto one = all.rbegin(); one != all.rend() && !stop.stop_requested(); ++one)
-                    (void)run(*second, **one);
-            } catch (...) {
-                // The first worker comes to the same.
-            }
-        };
-        try {
-            ahead_ = std::jthread(begin_with_last);
-        } catch (const std::system_error&) {
-            // No more threads to be had.
-        }
-    }
-
-    [[nodiscard]] const RunOutcome& of(const LikelyMistake& one) const { return run(worker_, *one.mistake); }
-
-private:
-    [[nodiscard]] const RunOutcome& run(Worker& worker, const KnownSolution& mistake) const
-    {
-        return worker.run_known(exercise_, mistake, group_.name, group_.result->seed);
-    }
-
-    Worker& worker_;
-    const Exercise& exercise_;
-    const CaseChecks& group_;
-    std::jthread ahead_;
-};
-
 std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, const std::vector<CaseChecks>& groups,
                                      std::span<const KnownSolution> mistakes)
 {
@@ -82,14 +42,18 @@ std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, c
         undecided -= group.failing;
         // A mistake that explains runs to its end: none is like a run that the clock stopped.
         const bool stopped = group.result->student.verdict == Verdict::timeout;
-        const MistakeRuns runs(worker, exercise, group, stopped ? std::span<LikelyMistake>() : candidates);
+        std::vector<const KnownSolution*> to_run;
+        if (!stopped)
+            for (const LikelyMistake& candidate : candidates) to_run.push_back(candidate.mistake);
+        const MistakesAhead ahead(worker, exercise, group.name, group.result->seed, std::move(to_run));
         for (LikelyMistake& candidate : candidates) {
             candidate.fits_here = false;
             if (stopped) {
                 for (std::size_t i = 0; i < group.checks.size(); ++i) candidate.tally += not_alike;
                 continue;
             }
-            const RunOutcome& run = runs.of(candidate);
+            const RunOutcome& run =
+                worker.run_known(exercise, *candidate.mistake, group.name, group.result->seed);
             for (const FailingCheck& one : group.checks) {
                 const Resemblance said = says_of(one, *group.result, run);
                 candidate.tally += said;
@@ -137,11 +101,19 @@ void doubt_what_hidden_checks_deny(const std::vector<Explanation>& all, std::vec
             one.confidence = std::min(one.confidence, doubted);
 }
 
+/// Are mistakes tried two at a time where no single one is the reason?
+enum class Pairs { none, tried };
+
+/// Why these checks fail, of one kind or of both.
+std::vector<Explanation> reasons(Worker& worker, const Exercise& exercise, const UnitResult& result,
+                                 const CaseResults& cases, std::span<const KnownSolution> mistakes, Pairs pairs);
+
 /// Why checks fail, hidden ones among them. Hidden cases ask each work its own questions, so that every mistake must
-/// run for each: where visible checks name a mistake that explains all, and hidden ones agree, no other is tried.
+/// run for each: where visible checks name a mistake that explains all, and hidden ones agree, no other is tried; and
+/// where visible ones fail as no two mistakes do, all do not fail as two do.
 std::vector<Explanation> explained_by(Worker& worker, const Exercise& exercise, const UnitResult& result,
                                       const CaseResults& cases, const std::vector<Explanation>& from_seen,
-                                      const std::vector<KnownSolution>& mistakes)
+                                      bool fails_seen, const std::vector<KnownSolution>& mistakes)
 {
     std::vector<KnownSolution> named;
     for (const KnownSolution& mistake : mistakes)
@@ -153,22 +125,14 @@ std::vector<Explanation> explained_by(Worker& worker, const Exercise& exercise, 
         std::vector<Explanation> all = explain_unit(worker, exercise, result, cases, named);
         if (std::ranges::any_of(all, explains_all)) return all;
     }
-    return explain_unit(worker, exercise, result, cases, mistakes);
+    const bool has_pair = std::ranges::any_of(
+        from_seen, [](const Explanation& one) { return one.name.starts_with(two_mistakes_begin); });
+    return reasons(worker, exercise, result, cases, mistakes,
+                   !fails_seen || has_pair ? Pairs::tried : Pairs::none);
 }
 
-}
-
-std::vector<KnownSolution> explaining_mistakes(const Worker& worker, const Exercise& exercise)
-{
-    std::vector<KnownSolution> mistakes = known_mistakes(worker.tools(), exercise);
-    std::erase_if(mistakes, [](const KnownSolution& one) {
-        return one.verdict && *one.verdict != Verdict::wrong && *one.verdict != Verdict::partial;
-    });
-    return mistakes;
-}
-
-std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, const UnitResult& result,
-                                      const CaseResults& cases, std::span<const KnownSolution> mistakes)
+std::vector<Explanation> reasons(Worker& worker, const Exercise& exercise, const UnitResult& result,
+                                 const CaseResults& cases, std::span<const KnownSolution> mistakes, Pairs pairs)
 {
     std::list<Check> plain;
     const std::vector<CaseChecks> groups = checks_by_case(worker, exercise, result, cases, plain);
@@ -201,9 +165,26 @@ std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, 
     if (!explained() && std::ranges::none_of(groups, [](const CaseChecks& group) { return group.result->hidden; }))
         for (Explanation& other : by_other_questions(worker, exercise, groups)) all.push_back(std::move(other));
     std::vector<Explanation> best = ranked(std::move(all));
-    if (!best.empty() && best.front().confidence >= thresholds::very_sure) return best;
+    if (pairs == Pairs::none || (!best.empty() && best.front().confidence >= thresholds::very_sure)) return best;
     std::vector<Explanation> two = by_two_mistakes(worker, exercise, groups, mistakes);
     return two.empty() ? best : two;
+}
+
+}
+
+std::vector<KnownSolution> explaining_mistakes(const Worker& worker, const Exercise& exercise)
+{
+    std::vector<KnownSolution> mistakes = known_mistakes(worker.tools(), exercise);
+    std::erase_if(mistakes, [](const KnownSolution& one) {
+        return one.verdict && *one.verdict != Verdict::wrong && *one.verdict != Verdict::partial;
+    });
+    return mistakes;
+}
+
+std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, const UnitResult& result,
+                                      const CaseResults& cases, std::span<const KnownSolution> mistakes)
+{
+    return reasons(worker, exercise, result, cases, mistakes, Pairs::tried);
 }
 
 std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, const UnitResult& result,
@@ -215,17 +196,19 @@ std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, 
     UnitResult seen_result;
     seen.checks.clear();
     bool fails_hidden = false;
+    bool fails_seen = false;
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         if (cases.at(exercise.checks[i].case_name).hidden) {
             fails_hidden = fails_hidden || result.checks[i].score < exercise.checks[i].points;
             continue;
         }
+        fails_seen = fails_seen || result.checks[i].score < exercise.checks[i].points;
         seen.checks.push_back(exercise.checks[i]);
         seen_result.checks.push_back(result.checks[i]);
     }
     std::vector<Explanation> found = explain_unit(worker, seen, seen_result, cases, mistakes);
     if (seen.checks.size() == exercise.checks.size()) return found;
-    std::vector<Explanation> all = explained_by(worker, exercise, result, cases, found, mistakes);
+    std::vector<Explanation> all = explained_by(worker, exercise, result, cases, found, fails_seen, mistakes);
     const std::size_t from_seen = found.size();
     if (fails_hidden) doubt_what_hidden_checks_deny(all, found);
     for (Explanation& one : all) {

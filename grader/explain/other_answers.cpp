@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "explain/weighed_questions.hpp"
+#include "worker/at_once.hpp"
 
 #include <umbral/record/questions.hpp>
 
@@ -15,14 +16,21 @@ void ask_at_once(Worker& worker, const AskedCheck& asked, std::uint64_t seed, st
                  SpareTime& time)
 {
     if (others.empty() || !time.is_left()) return;
-    const double before = worker.run_seconds();
     Inquiry inquiry;
     for (const OtherAnswers& one : others) inquiry.others.push_back(one.question);
     const Check& check = asked.check;
-    const RunOutcome right = worker.inquire(asked.exercise, judged_against(check), check.case_name, seed, inquiry);
-    const RunOutcome yours =
-        worker.run_moved(asked.exercise, asked.runs.built(), check.case_name, seed, inquiry.others, check.value);
-    time.spend(worker.run_seconds() - before);
+    RunOutcome right;
+    RunOutcome yours;
+    at_once(
+        worker,
+        [&](Worker& one) {
+            yours =
+                one.run_moved(asked.exercise, asked.runs.built(), check.case_name, seed, inquiry.others, check.value);
+        },
+        [&](Worker& one) {
+            right = one.inquire(asked.exercise, judged_against(check), check.case_name, seed, inquiry);
+        });
+    time.spend(SpareTime::cost_of(right) + SpareTime::cost_of(yours));
     if (right.verdict != Verdict::ok || yours.verdict != Verdict::ok) {
         if (others.size() == 1) return;
         ask_at_once(worker, asked, seed, others.first(others.size() / 2), time);

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <optional>
 
+#include "explain/mistakes_ahead.hpp"
 #include "judge/explain/confidence.hpp"
 #include "judge/explain/thresholds.hpp"
 #include "judge/judges.hpp"
@@ -142,13 +143,23 @@ std::vector<MistakenCheck> mistaken_checks(Worker& worker, const Exercise& exerc
         if (group.failing == 0 || !group.result->cause().empty() || group.cells > most_cells ||
             cases++ == most_cases_covered)
             continue;
+        std::optional<MistakesAhead> ahead;
         for (const FailingCheck& check : group.checks) {
             if (check.student == nullptr || !judge_of(*check.check).plain_values || check.check->hard) continue;
             if (!well_formed(*check.student) || check.expected == nullptr || !well_formed(*check.expected)) continue;
+            const auto is_in_any = [&pairs](std::size_t i) {
+                return std::ranges::any_of(pairs,
+                                           [i](const Pair& pair) { return pair.first == i || pair.second == i; });
+            };
+            if (!ahead) {
+                std::vector<const KnownSolution*> to_run;
+                for (std::size_t i = 0; i < mistakes.size(); ++i)
+                    if (is_in_any(i)) to_run.push_back(&mistakes[i]);
+                ahead.emplace(worker, exercise, group.name, group.result->seed, std::move(to_run));
+            }
             MistakenCheck mistaken{&check};
             for (std::size_t i = 0; i < mistakes.size(); ++i) {
-                const bool is_in_one =
-                    std::ranges::any_of(pairs, [i](const Pair& pair) { return pair.first == i || pair.second == i; });
+                const bool is_in_one = is_in_any(i);
                 const RunOutcome* const run =
                     is_in_one ? &worker.run_known(exercise, mistakes[i], group.name, group.result->seed) : nullptr;
                 const Tensor* tensor =
@@ -221,7 +232,7 @@ std::optional<Tally> weigh_pair(const std::vector<MistakenCheck>& all, std::size
 
 std::string two_mistakes_title(const std::string& a, const std::string& b)
 {
-    return fmt::format("mistakes: {} and {}", a, b);
+    return fmt::format("{}{} and {}", two_mistakes_begin, a, b);
 }
 
 std::vector<Explanation> by_two_mistakes(Worker& worker, const Exercise& exercise, std::span<const CaseChecks> groups,

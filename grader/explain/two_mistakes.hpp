@@ -2,12 +2,16 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "explain/explained_checks.hpp"
 #include "worker/known_solutions.hpp"
 
 namespace umbral::grader {
+
+/// How the names of such explanations begin.
+inline constexpr std::string_view two_mistakes_begin = "mistakes: ";
 
 /// "mistakes: A and B"
 [[nodiscard]] std::string two_mistakes_title(const std::string& a, const std::string& b);

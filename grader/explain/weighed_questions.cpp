@@ -10,6 +10,7 @@
 #include "explain/question_words.hpp"
 #include "explain/questions_in_turn.hpp"
 #include "judge/explain/thresholds.hpp"
+#include "worker/at_once.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -67,6 +68,41 @@ void weigh(const CaseChecks& group, const QuestionLog& log, const RunOutcome& ru
     }
 }
 
+/// What is the same of all questions that are weighed in a case.
+struct WeighedCase {
+    const Exercise& exercise;
+    const CaseChecks& group;
+    const RunOutcome& plain;
+    const QuestionLog& log;
+};
+
+/// As many as one run can hold. Where it does not come to its end, each half by itself.
+void weigh_at_once(Worker& worker, const WeighedCase& one, std::span<WeighedQuestion> candidates, SpareTime& time)
+{
+    if (candidates.empty() || !time.is_left()) return;
+    Inquiry inquiry;
+    for (const WeighedQuestion& candidate : candidates) inquiry.others.push_back(candidate.question);
+    const CaseChecks& group = one.group;
+    const Limits limits =
+        limits_for(one.exercise.limits, one.plain.cpu_seconds * static_cast<double>(1 + candidates.size()));
+    const RunOutcome run = time.spent_on(
+        worker.inquire(one.exercise, Answers::reference, group.name, group.result->seed, inquiry, limits));
+    if (run.verdict != Verdict::ok && candidates.size() > 1) {
+        weigh_at_once(worker, one, candidates.first(candidates.size() / 2), time);
+        weigh_at_once(worker, one, candidates.subspan(candidates.size() / 2), time);
+        return;
+    }
+    const std::vector<RunOutcome> runs = runs_of_others(run, candidates.size());
+    for (std::size_t i = 0; i < candidates.size(); ++i) weigh(group, one.log, runs[i], candidates[i]);
+}
+
+void weigh_in_turn(Worker& worker, const WeighedCase& one, std::span<WeighedQuestion> candidates, std::size_t most,
+                   SpareTime& time)
+{
+    for (std::size_t i = 0; i < candidates.size(); i += most)
+        weigh_at_once(worker, one, candidates.subspan(i, std::min(most, candidates.size() - i)), time);
+}
+
 }
 
 bool may_concern(const QuestionLog& log, const FailingCheck& one, std::span<const std::string> functions)
@@ -97,26 +133,19 @@ void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group
                SpareTime& time)
 {
     if (candidates.empty() || !time.is_left()) return;
-    const RunOutcome& plain = worker.trusted(exercise, Answers::reference, group.name, group.result->seed);
-    const std::size_t most = questions_of_a_run(exercise, plain);
-    if (candidates.size() > most) {
-        weigh_all(worker, exercise, group, candidates.first(most), time);
-        weigh_all(worker, exercise, group, candidates.subspan(most), time);
-        return;
-    }
-    Inquiry inquiry;
-    for (const WeighedQuestion& candidate : candidates) inquiry.others.push_back(candidate.question);
-    const Limits limits = limits_for(exercise.limits, plain.cpu_seconds * static_cast<double>(1 + candidates.size()));
-    const RunOutcome run =
-        time.spent_on(worker.inquire(exercise, Answers::reference, group.name, group.result->seed, inquiry, limits));
-    if (run.verdict != Verdict::ok && candidates.size() > 1) {
-        weigh_all(worker, exercise, group, candidates.first(candidates.size() / 2), time);
-        weigh_all(worker, exercise, group, candidates.subspan(candidates.size() / 2), time);
-        return;
-    }
-    const std::vector<RunOutcome> runs = runs_of_others(run, candidates.size());
-    const QuestionLog& log = worker.questions(exercise, group.name, group.result->seed);
-    for (std::size_t i = 0; i < candidates.size(); ++i) weigh(group, log, runs[i], candidates[i]);
+    const WeighedCase one{exercise, group, worker.trusted(exercise, Answers::reference, group.name, group.result->seed),
+                          worker.questions(exercise, group.name, group.result->seed)};
+    const std::size_t most = questions_of_a_run(exercise, one.plain);
+    // Whole runs for either worker.
+    const std::size_t runs = (candidates.size() + most - 1) / most;
+    const std::span<WeighedQuestion> some = candidates.first(std::min(candidates.size(), (runs + 1) / 2 * most));
+    const std::span<WeighedQuestion> others = candidates.subspan(some.size());
+    SpareTime first = time;
+    SpareTime second = time;
+    at_once(
+        worker, [&](Worker& with) { weigh_in_turn(with, one, some, most, first); },
+        [&](Worker& with) { weigh_in_turn(with, one, others, most, second); });
+    time.spend(2 * time.left() - first.left() - second.left());
 }
 
 }
