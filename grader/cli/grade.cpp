@@ -7,7 +7,6 @@
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "class/grade_class.hpp"
 #include "class/handed_in.hpp"
@@ -23,6 +22,7 @@
 #include "report/paint.hpp"
 #include "store/distinct_folders.hpp"
 #include "store/refused_folder.hpp"
+#include "worker/crew.hpp"
 #include "worker/fingerprint.hpp"
 
 namespace umbral::grader {
@@ -153,7 +153,7 @@ ClassOptions options_of(const Application& application, const GradeCommand& comm
     options.course = command.course;
     options.attempt = command.attempt;
     options.instructor_edition = command.with_hidden;
-    options.jobs = command.jobs != 0 ? command.jobs : std::max(1U, std::thread::hardware_concurrency());
+    options.jobs = command.jobs != 0 ? command.jobs : default_jobs_of_class();
     return options;
 }
 
@@ -213,7 +213,7 @@ void add_grade(Command command, Application& application)
     command.option("--roster", options->roster,
                    "A CSV file with the columns folder,id or folder,id,name: how folders are called in reports");
     command.flag("--fresh", options->fresh, "Grade everything again, also what has not changed since the last time");
-    command.option("--jobs", options->jobs, "Submissions at a time; 0: one for each processor")
+    command.option("--jobs", options->jobs, "Submissions at a time; 0: a quarter more than there are processors")
         .between(0, most_jobs)
         .with_default();
     command.option("--unit", options->units, "Only these units");

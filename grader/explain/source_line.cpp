@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 namespace umbral::grader {
 namespace {
 
-/// Calls `look` with this line and those behind or before it, until the function ends or it says so.
+/// Calls `look` with this line and those behind or before it, until the function ends; with so many at most, since each
+/// is looked for from the file's beginning.
 template <class Look>
 void each_line_of_function(std::string_view text, int line, int step, const Look& look)
 {
-    for (int number = line;; number += step) {
+    constexpr int most_lines = 100;
+    for (int number = line; std::abs(number - line) < most_lines; number += step) {
         const std::optional<std::string_view> one = source_line(text, number);
-        if (!one || one->starts_with('}') || !look(number, *one)) return;
+        if (!one || one->starts_with('}')) return;
+        look(number, *one);
     }
 }
 
@@ -43,7 +47,6 @@ std::vector<int> equal_returns(std::string_view text, int line, int column)
     for (const int step : {-1, 1})
         each_line_of_function(text, line + step, step, [&](int number, std::string_view one) {
             if (one.find(statement) != std::string_view::npos) found.push_back(number);
-            return true;
         });
     std::ranges::sort(found);
     return found;

@@ -67,4 +67,10 @@ void Crew::share_out(std::size_t count, const Task& task)
 
 std::size_t default_jobs() { return std::max(1U, std::thread::hardware_concurrency()); }
 
+std::size_t default_jobs_of_class()
+{
+    const std::size_t processors = default_jobs();
+    return processors + (processors + 3) / 4;
+}
+
 }

@@ -44,4 +44,8 @@ private:
 /// As many as the machine has processors.
 [[nodiscard]] std::size_t default_jobs();
 
+/// A quarter more, at least one: a submission waits now and then for a disk, or for a process of its own to begin or
+/// end, and where there are many of them, another one computes meanwhile.
+[[nodiscard]] std::size_t default_jobs_of_class();
+
 }
