@@ -26,7 +26,7 @@ struct ClassOptions {
     std::string secret;
     std::string course = "course";
     unsigned attempt = 0;
-    unsigned jobs = 1;
+    std::size_t jobs = 1;
     bool explain = true;
     bool instructor_edition = false;  ///< write report.instructor.html too, in which hidden checks show their values
     bool fresh = false;               ///< ask again for what was kept
