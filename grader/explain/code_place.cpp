@@ -56,9 +56,15 @@ public:
         }
         if (are_wrong_where_given(seen)) return {};
         std::vector<PartingPlace> found = parting_places(seen);
+        const bool but_idle = found.empty();
+        if (but_idle) {
+            found = parting_places(without_idle(seen));
+            for (PartingPlace& one : found) one.but_idle = true;
+        }
         if (found.empty()) return {};
         PassedPlaces fresh;
         for (std::size_t i = 0; i < most_fresh; ++i) add(asked_, varied_seed(asked_, used + i), fresh);
+        if (but_idle) fresh = without_idle(fresh);
         const bool is_confirmed = !lacks(fresh, true) && !lacks(fresh, false);
         std::erase_if(found, [&](const PartingPlace& one) {
             return is_confirmed ? !parts(place_among(one, fresh)) : are_few(one);
@@ -66,6 +72,7 @@ public:
         if (found.size() <= 1) return found;
         // What is reached only where a bug is, is told from what leads there by questions that turn off in between.
         if (elsewhere.wrong.empty()) elsewhere = among(others, cases, built);
+        if (but_idle) elsewhere = without_idle(elsewhere);
         add(fresh, elsewhere);
         const auto strays = [&](const PartingPlace& one) { return strays_of(place_among(one, elsewhere)); };
         const PartingPlace best = *std::ranges::min_element(found, {}, strays);
@@ -101,6 +108,7 @@ private:
         into.places.insert(into.places.end(), some.places.begin(), some.places.end());
         into.by_exception.insert(into.by_exception.end(), some.by_exception.begin(), some.by_exception.end());
         into.given.insert(into.given.end(), some.given.begin(), some.given.end());
+        into.idle.insert(into.idle.end(), some.idle.begin(), some.idle.end());
     }
 
     /// The questions with these inputs, of the function that most wrong answers are of.
@@ -111,10 +119,12 @@ private:
         const QuestionLog& log = questions_at(worker_, asked, seed);
         std::map<std::string, std::map<std::uint32_t, bool>> wrong;
         std::set<std::uint32_t> given;
+        std::set<std::uint32_t> busy;
         for (const AskedAnswer& one : answers.all) {
             if (const QuestionKind* const kind = log.kind_of(one.question))
                 wrong[kind->function][one.question] |= one.answer.wrong;
             if (!answers.optional || !one.answer.yours.empty()) given.insert(one.question);
+            if (!one.answer.expected.empty() || !one.answer.yours.empty()) busy.insert(one.question);
         }
         if (wrong.empty()) return;
         const auto wrong_of = [](const auto& of_function) {
@@ -131,6 +141,7 @@ private:
             into.places.push_back(passed->second.places);
             into.by_exception.push_back(passed->second.by_exception);
             into.given.push_back(given.contains(question));
+            into.idle.push_back(!is_wrong && !busy.contains(question));
         }
     }
 
@@ -148,12 +159,14 @@ std::string sentence_of(const PartingPlace& place)
     const auto some_of = [&](std::size_t some, std::size_t all, const char* which) {
         return some == 0 ? fmt::format("none of the {} {}", all, which) : all_of(some, all, which);
     };
+    const std::string but_idle = place.but_idle ? " that are not empty" : "";
     if (place.of_wrong)
         return fmt::format("{} come through here, and {}",
                            all_of(place.wrong_through, place.wrong, "calls with wrong answers"),
-                           some_of(place.right_through, place.right, "with right ones"));
+                           some_of(place.right_through, place.right, "with right ones")) +
+               but_idle;
     return fmt::format("{} come through here, and {}",
-                       all_of(place.right_through, place.right, "calls with right answers"),
+                       all_of(place.right_through, place.right, ("calls with right answers" + but_idle).c_str()),
                        some_of(place.wrong_through, place.wrong, "with wrong ones"));
 }
 

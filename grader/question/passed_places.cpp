@@ -37,9 +37,24 @@ Sides sides_of(const PartingPlace& place)
 
 bool are_wrong_where_given(const PassedPlaces& seen) { return !seen.given.empty() && seen.given == seen.wrong; }
 
+PassedPlaces without_idle(const PassedPlaces& seen)
+{
+    if (seen.idle.empty()) return seen;
+    PassedPlaces rest;
+    for (std::size_t i = 0; i < seen.wrong.size(); ++i) {
+        if (seen.idle[i]) continue;
+        rest.wrong.push_back(seen.wrong[i]);
+        rest.places.push_back(seen.places[i]);
+        rest.by_exception.push_back(!seen.by_exception.empty() && seen.by_exception[i]);
+        rest.given.push_back(seen.given.empty() || seen.given[i]);
+    }
+    return rest;
+}
+
 PartingPlace place_among(const PartingPlace& place, const PassedPlaces& others)
 {
     PartingPlace result{place.place, place.of_wrong};
+    result.but_idle = place.but_idle;
     for (std::size_t i = 0; i < others.wrong.size(); ++i) {
         const bool through = std::ranges::find(others.places[i], place.place) != others.places[i].end();
         ++(others.wrong[i] ? result.wrong : result.right);

@@ -14,7 +14,11 @@ struct PassedPlaces {
     std::vector<std::vector<std::uint32_t>> places{};  ///< in the order in which they were first reached
     std::vector<bool> by_exception{};                  ///< did an exception end the question? Empty: none did
     std::vector<bool> given{};                         ///< was an answer given, where there may be none? Empty: always
+    std::vector<bool> idle{};  ///< is it right that nothing is answered, and nothing was? Empty: never
 };
+
+/// The same without those: code that finds early that there is nothing to do looks like code that leaves off early.
+[[nodiscard]] PassedPlaces without_idle(const PassedPlaces& seen);
 
 /// Are those that were given an answer wrong, and all others right? What parts them only tells that an answer was
 /// given.
@@ -28,6 +32,7 @@ struct PartingPlace {
     std::size_t wrong_through = 0;  ///< … and those of them that come through
     std::size_t right = 0;
     std::size_t right_through = 0;
+    bool but_idle = false;  ///< right ones where nothing is to be answered are not counted
 };
 
 /// So many questions with wrong answers there must be, and half as many again with right ones: fewer are parted by

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace umbral::grader {
 namespace {
 
@@ -55,6 +57,22 @@ TEST(PassedPlaces, what_follows_a_call_that_is_left_by_an_exception_is_none)
     EXPECT_EQ(numbers(parting_places(seen)), (Places{2})) << "in a right one it says nothing";
     seen.by_exception[22] = true;
     EXPECT_TRUE(parting_places(seen).empty());
+}
+
+// A polygon that is left off too early leaves off where one does that has nothing in the window.
+TEST(PassedPlaces, those_that_have_nothing_to_do_may_be_left_out)
+{
+    PassedPlaces seen;
+    add(seen, 20, false, {1, 2, 9});
+    add(seen, 6, false, {1, 7});
+    add(seen, 5, true, {1, 2, 7, 9});
+    EXPECT_EQ(numbers(parting_places(without_idle(seen))), numbers(parting_places(seen))) << "none is known to be";
+    EXPECT_TRUE(parting_places(seen).empty());
+    seen.idle.assign(31, false);
+    std::fill(seen.idle.begin() + 20, seen.idle.begin() + 26, true);
+    const PassedPlaces busy = without_idle(seen);
+    EXPECT_EQ(busy.wrong.size(), 25U);
+    EXPECT_EQ(numbers(parting_places(busy)), (Places{7}));
 }
 
 // A sphere's distances are all wrong, and what misses it is right: the return of a distance parts them, and is no bug.
