@@ -87,7 +87,7 @@ double ties_in(const std::vector<double>& row, const VectorColumns& a)
 template <class Value>
 Fact fact(std::string words, Fact::Kind kind, const QuestionTable& table, const Value& value)
 {
-    Fact result{std::move(words), kind, false, false, false, {}, {}};
+    Fact result{std::move(words), kind};
     for (const std::vector<double>& row : table.numbers) result.values.push_back(value(row));
     result.quantity = quantity_of(result.words);
     return result;
@@ -169,7 +169,8 @@ std::vector<Fact> facts_of(const QuestionTable& table)
     for (std::size_t i = 0; i < table.names.size(); ++i) {
         facts.push_back(fact(table.names[i], Fact::Kind::number, table, [&](const auto& row) { return row[i]; }));
         facts.back().first = table.first == i;
-        facts.back().answer = i >= table.answers && std::ranges::find(table.labels, i) == table.labels.end();
+        facts.back().label = std::ranges::find(table.labels, i) != table.labels.end();
+        facts.back().answer = i >= table.answers && !facts.back().label;
         if (i < table.words.size()) facts.back().value_names = table.words[i];
         const auto holds_it = [&](const VectorColumns& vector) {
             return i >= vector.first && i < vector.first + vector.size;

@@ -20,6 +20,7 @@ struct Fact {
     bool component = false;                  ///< one of a vector's: of less interest than the vector
     bool answer = false;                     ///< of the right answer, and not of the question
     bool first = false;                      ///< said before all others that part alike
+    bool label = false;                      ///< says which row of a table it is
     std::vector<double> values{};            ///< for each question
     std::vector<std::string> value_names{};  ///< what 0, 1, … mean: {"false", "true"}; none of a number that is one
     Quantity quantity = Quantity::unknown;   ///< what it measures, by its words

@@ -49,6 +49,25 @@ void add_named(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
     }
 }
 
+/// How many of the wrong ones differ in the whole numbers that are told of their questions, or of rows of a table in
+/// anything, up to so many that it is enough: where a case has the same few shapes with every seed, any whole number of
+/// one of these is its alone.
+std::size_t different_among(const std::vector<Fact>& facts, const std::vector<bool>& wrong, bool are_rows)
+{
+    std::vector<const Fact*> looked_at;
+    for (const Fact& fact : facts)
+        if (are_rows || (!fact.answer && std::ranges::all_of(fact.values, is_whole_number))) looked_at.push_back(&fact);
+    std::set<std::vector<double>> different;
+    for (std::size_t i = 0; i < wrong.size() && different.size() < least_questions; ++i) {
+        if (!wrong[i]) continue;
+        std::vector<double> told;
+        for (const Fact* const fact : looked_at)
+            if (!std::isnan(fact->values[i])) told.push_back(fact->values[i]);
+        different.insert(std::move(told));
+    }
+    return different.size();
+}
+
 /// Of a vector whose largest coordinates are as large as each other, without their signs: which of them is taken for
 /// the largest is a rule.
 void add_tie(const std::vector<Fact>& facts, std::size_t i, std::vector<PossibleCondition>& all)
@@ -157,6 +176,7 @@ void add_single_value(const std::vector<Fact>& facts, std::size_t i, const std::
     const double value = fact.values[static_cast<std::size_t>(first - wrong.begin())];
     if (value == 0 || value == 1 || !std::ranges::all_of(fact.values, is_whole_number)) return;
     if (std::set(fact.values.begin(), fact.values.end()).size() < least_values) return;
+    if (different_among(facts, wrong, fact.label) < least_questions) return;
     all.push_back({fmt::format("{} is {:.17g}", fact.words, value),
                    [i, value](const std::vector<Fact>& others, std::size_t question) {
                        return others[i].values[question] == value;

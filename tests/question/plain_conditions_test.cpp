@@ -12,10 +12,18 @@ namespace {
 
 TEST(PlainConditions, name_the_one_number_with_which_answers_are_wrong)
 {
-    QuestionTable table{{"face", "size"}, {}};
-    for (int i = 0; i < 48; ++i) table.numbers.push_back({static_cast<double>(i % 6), 0.37 * i});
+    QuestionTable table{{"face", "corner"}, {}};
+    for (int i = 0; i < 48; ++i) table.numbers.push_back({static_cast<double>(i % 6), std::floor(i / 6.0)});
     const auto third = [](const std::vector<double>& row) { return row[0] == 3; };
     EXPECT_EQ(words(table, wrong_where(table, third)), "face is 3");
+}
+
+TEST(PlainConditions, name_no_number_of_the_same_question_asked_again)
+{
+    QuestionTable table{{"count", "size"}, {}};
+    for (int i = 0; i < 48; ++i) table.numbers.push_back({3.0 + i / 6, 0.37 * i});
+    const auto third = [](const std::vector<double>& row) { return row[0] == 5; };
+    EXPECT_EQ(words(table, wrong_where(table, third)).find("count is 5"), std::string::npos);
 }
 
 TEST(PlainConditions, name_no_number_of_a_few)
@@ -31,7 +39,7 @@ TEST(PlainConditions, know_labels_from_answers)
 {
     QuestionTable table{{"face", "corners"}, {}};
     table.answers = 0;
-    for (int i = 0; i < 48; ++i) table.numbers.push_back({static_cast<double>(i % 6), 2.0 + i % 6});
+    for (int i = 0; i < 48; ++i) table.numbers.push_back({static_cast<double>(i % 6), 0.37 * i});
     const auto third = [](const std::vector<double>& row) { return row[0] == 3; };
     EXPECT_EQ(words(table, wrong_where(table, third)), "nothing");
     table.labels = {0};
