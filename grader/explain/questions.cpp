@@ -33,7 +33,7 @@ namespace {
 /// What wrong answers share is looked for in all checks of a unit together for so long: it is said of one or two.
 constexpr double most_pattern_seconds = 6;
 /// … and what they depend on, until that is known of one.
-constexpr double most_dependence_seconds = 3;
+constexpr double most_dependence_seconds = 4;
 
 bool fails(const Check& check, const CheckResult& result) { return result.score < check.points; }
 
