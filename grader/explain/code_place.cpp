@@ -196,12 +196,12 @@ std::string also_through(const SourcePlace& here, const std::vector<PartingPlace
     if (!lines.empty() && lines.size() <= most_lines)
         words = "; so they do through " + lines_in_words({lines.begin(), lines.end()});
     const std::vector<int> returns = equal_returns(file, here.line, here.column);
-    if (!returns.empty() && returns.size() <= most_lines) words += "; the same return stands in " + lines_in_words(returns);
+    if (!returns.empty() && returns.size() <= most_lines)
+        words += "; the same return stands in " + lines_in_words(returns);
     return words;
 }
 
-std::optional<CodePlace> code_place(const Built& built, const TracedRuns& traced,
-                                    const std::vector<PartingPlace>& all)
+std::optional<CodePlace> code_place(const Built& built, const TracedRuns& traced, const std::vector<PartingPlace>& all)
 {
     const PartingPlace& parting = all.front();
     const SourcePlace& place = traced.place(parting.place);

@@ -52,8 +52,7 @@ std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, c
                 for (std::size_t i = 0; i < group.checks.size(); ++i) candidate.tally += not_alike;
                 continue;
             }
-            const RunOutcome& run =
-                worker.run_known(exercise, *candidate.mistake, group.name, group.result->seed);
+            const RunOutcome& run = worker.run_known(exercise, *candidate.mistake, group.name, group.result->seed);
             for (const FailingCheck& one : group.checks) {
                 const Resemblance said = says_of(one, *group.result, run);
                 candidate.tally += said;
@@ -125,10 +124,9 @@ std::vector<Explanation> explained_by(Worker& worker, const Exercise& exercise, 
         std::vector<Explanation> all = explain_unit(worker, exercise, result, cases, named);
         if (std::ranges::any_of(all, explains_all)) return all;
     }
-    const bool has_pair = std::ranges::any_of(
-        from_seen, [](const Explanation& one) { return one.name.starts_with(two_mistakes_begin); });
-    return reasons(worker, exercise, result, cases, mistakes,
-                   !fails_seen || has_pair ? Pairs::tried : Pairs::none);
+    const bool has_pair =
+        std::ranges::any_of(from_seen, [](const Explanation& one) { return one.name.starts_with(two_mistakes_begin); });
+    return reasons(worker, exercise, result, cases, mistakes, !fails_seen || has_pair ? Pairs::tried : Pairs::none);
 }
 
 std::vector<Explanation> reasons(Worker& worker, const Exercise& exercise, const UnitResult& result,

@@ -5,8 +5,8 @@
 
 namespace umbral::grader {
 
-MistakesAhead::MistakesAhead(Worker& worker, const Exercise& exercise, const std::string& case_name,
-                             std::uint64_t seed, std::vector<const KnownSolution*> mistakes)
+MistakesAhead::MistakesAhead(Worker& worker, const Exercise& exercise, const std::string& case_name, std::uint64_t seed,
+                             std::vector<const KnownSolution*> mistakes)
 {
     Worker* const second = mistakes.size() > 1 ? worker.second() : nullptr;
     if (second == nullptr) return;

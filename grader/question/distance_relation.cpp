@@ -47,13 +47,16 @@ struct Multiples {
         if (const double simple = std::round(2 * found) / 2; std::abs(found - simple) < rounding) found = simple;
         for (std::size_t i = 0; i < right.size(); ++i)
             if (!(std::abs(yours[i] - found * right[i]) <= (1 + std::abs(found)) * rounded[i])) return std::nullopt;
-        const bool says_nothing = std::abs(found) < 1.0 / most_factor || std::abs(found) > most_factor ||
-                                  std::abs(found - 1) < 1e-3;
+        const bool says_nothing =
+            std::abs(found) < 1.0 / most_factor || std::abs(found) > most_factor || std::abs(found - 1) < 1e-3;
         return says_nothing ? std::nullopt : std::optional(found);
     }
 };
 
-bool may_be_compared(const Fact& fact) { return !fact.answer && fact.kind == Fact::Kind::number && fact.value_names.empty(); }
+bool may_be_compared(const Fact& fact)
+{
+    return !fact.answer && fact.kind == Fact::Kind::number && fact.value_names.empty();
+}
 
 void add_distances(const WrongNumbers& numbers, const Fact& from, Multiples& all)
 {

@@ -21,8 +21,8 @@ namespace umbral::grader {
                                                            const std::vector<std::string>& names,
                                                            const std::vector<Fact>& facts);
 
-/// "the right one plus 2 times strips.size()": how each wrong number differs from the right one, where that is the same multiple of a
-/// number of the question. Nothing as above.
+/// "the right one plus 2 times strips.size()": how each wrong number differs from the right one, where that is the same
+/// multiple of a number of the question. Nothing as above.
 [[nodiscard]] std::optional<std::string> difference_relation(const WrongNumbers& numbers,
                                                              const std::vector<Fact>& facts);
 

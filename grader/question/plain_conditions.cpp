@@ -124,7 +124,8 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
         constexpr double rounding = 1e-15;
         const auto nearly = [&](auto is_so) { return std::ranges::any_of(fact.values, is_so) ? ", or nearly" : ""; };
         const std::string parallel = nearly([](double x) { return x > rounding && x < unit_rounding; });
-        const std::string perpendicular = nearly([](double x) { return x > 1 - unit_rounding * unit_rounding && x < 1 - rounding; });
+        const std::string perpendicular =
+            nearly([](double x) { return x > 1 - unit_rounding * unit_rounding && x < 1 - rounding; });
         all.push_back(of_one(words + " are parallel" + parallel, i, cost, [](double x) { return x < unit_rounding; }));
         all.push_back(of_one(words + " are not parallel", i, cost + 1, [](double x) { return x >= unit_rounding; }));
         all.push_back(of_one(words + " are perpendicular" + perpendicular, i, cost,
@@ -148,7 +149,8 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
     all.push_back(of_one(words + " is positive", i, cost, [](double x) { return x > 0; }));
     if (fact.kind == Fact::Kind::coordinate || is_extreme_of_list(fact)) return;
     all.push_back(of_one(words + " is 1", i, cost + 1, [](double x) { return std::abs(x - 1) < unit_rounding; }));
-    all.push_back(of_one(words + " is not 1", i, cost + 1, [](double x) { return !(std::abs(x - 1) < unit_rounding); }));
+    all.push_back(
+        of_one(words + " is not 1", i, cost + 1, [](double x) { return !(std::abs(x - 1) < unit_rounding); }));
     if (!std::ranges::all_of(fact.values, is_whole_number)) {
         const auto add = [&](const char* is, bool (*test)(double)) {
             all.push_back(of_one(words + is, i, cost + 5, test));

@@ -35,7 +35,8 @@ TEST(EventPartners, what_is_expected_nowhere_stands_beside_what_is_missing)
 
 TEST(EventPartners, kinds_are_not_mixed_and_known_events_are_not_taken)
 {
-    EXPECT_EQ(told({1, 0, 1, 2, 2, 1, 1, 1}, {2, 1, 1, 1, 2, 0, 1, 2}), "triangle (0, 1, 2) for nothing, row 0 of 2 events");
+    EXPECT_EQ(told({1, 0, 1, 2, 2, 1, 1, 1}, {2, 1, 1, 1, 2, 0, 1, 2}),
+              "triangle (0, 1, 2) for nothing, row 0 of 2 events");
     EXPECT_EQ(told({2, 1, 1, 1, 2, 1, 1, 1, 2, 3, 3, 3}, {2, 1, 1, 1, 2, 3, 3, 3}).find("point (3"), std::string::npos)
         << "one that is right is nobody's partner";
 }

@@ -76,9 +76,8 @@ TEST(DistanceRelation, says_nothing_by_chance)
 {
     for (int seed = 1; seed <= 200; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
-        const AnswerTable any = moved({"x", "y", "z"}, [&](const Moved& one) {
-            return times_as_far(one, random.uniform(-3, 3));
-        });
+        const AnswerTable any =
+            moved({"x", "y", "z"}, [&](const Moved& one) { return times_as_far(one, random.uniform(-3, 3)); });
         for (const AnswerPattern& pattern : answer_patterns(any))
             EXPECT_EQ(pattern.words.find("as far from"), std::string::npos) << pattern.words << ", seed " << seed;
     }

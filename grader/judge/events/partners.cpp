@@ -77,8 +77,8 @@ std::optional<EventPair> meant_pair(const TensorView& yours, const TensorView& e
         const auto meant = nearest(event, expected, alone, yours, same);
         if (!meant || meant == first.expected) return std::nullopt;
         // What stands beside it is what was expected there, unless another one is plainly the one that was meant.
-        if (first.expected && (!are_rearranged(event, expected.cell(*meant)) ||
-                               are_rearranged(event, expected.cell(*first.expected))))
+        if (first.expected &&
+            (!are_rearranged(event, expected.cell(*meant)) || are_rearranged(event, expected.cell(*first.expected))))
             return std::nullopt;
         return EventPair{*first.yours, *meant};
     }
