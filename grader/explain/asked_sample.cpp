@@ -50,7 +50,8 @@ bool is_label(const AskedAnswers& answers, std::size_t component)
     std::set<std::uint32_t> questions;
     for (const AskedAnswer& one : answers.all) {
         questions.insert(one.question);
-        const auto& [yours, expected] = std::pair(one.answer.yours, one.answer.expected);
+        const std::vector<double>& yours = one.answer.yours;
+        const std::vector<double>& expected = one.answer.expected;
         if (expected.size() <= component || yours.size() <= component) return false;
         if (yours[component] != expected[component] || expected[component] != std::round(expected[component]))
             return false;
