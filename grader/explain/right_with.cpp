@@ -19,8 +19,10 @@
 namespace umbral::grader {
 namespace {
 
-/// Of practice inputs, behind those that dependences are looked for on.
-constexpr std::size_t fresh_changes_place = 12;
+/// Of practice inputs, behind those that dependences are looked for on; and so many sets.
+constexpr std::size_t fresh_changes_place = 13;
+constexpr std::size_t fresh_sets = 4;
+constexpr std::size_t fresh_sets_of_drawings = 2;  ///< each takes a hundred times as long
 constexpr std::size_t most_changes_tried = 160;
 constexpr double most_seconds_of_changes = 1;  ///< of the reference's runs
 constexpr std::size_t most_changes_told = 2;
@@ -62,8 +64,9 @@ public:
         drop_what_is_so_of_most(*first, tried);
         if (tried.empty()) return {};
         bool is_confirmed = first->wrong > 1;
-        for (const std::size_t place : {fresh_changes_place, fresh_changes_place + 1}) {
-            const std::optional<AskedOnce> fresh = asked_at(varied_seed(asked_, place));
+        const std::size_t sets = asked_.exercise.gl ? fresh_sets_of_drawings : fresh_sets;
+        for (std::size_t i = 0; i < sets && !tried.empty(); ++i) {
+            const std::optional<AskedOnce> fresh = asked_at(varied_seed(asked_, fresh_changes_place + i));
             if (!fresh || fresh->wrong == 0) continue;
             keep_right(*fresh, tried, is_confirmed);
             is_confirmed = true;

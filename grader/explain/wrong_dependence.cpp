@@ -22,10 +22,10 @@ namespace {
 constexpr std::size_t most_moved = 64;
 constexpr std::size_t most_moved_cells = 20'000;  ///< of a table
 constexpr double most_seconds_of_runs = 1;        ///< of the reference's
-constexpr std::size_t fresh_place = 11;           ///< of practice inputs, behind those that conditions are confirmed on
-constexpr std::size_t enough_moved = 8;           ///< answers; of fewer, other cases are asked too
-constexpr std::size_t most_told = 2;              ///< kinds of dependence
-constexpr std::size_t most_named = 3;             ///< numbers of an answer
+constexpr std::size_t fresh_place = 11;  ///< of practice inputs, behind those that conditions are confirmed on; two
+constexpr std::size_t enough_moved = 8;  ///< answers; of fewer, other cases are asked too
+constexpr std::size_t most_told = 2;     ///< kinds of dependence
+constexpr std::size_t most_named = 3;    ///< numbers of an answer
 
 /// What is to be moved: the function's own arguments, and those of the functions that made or changed its objects.
 std::vector<OtherQuestion> moves_of(const QuestionLog& log, const std::string& function)
@@ -182,6 +182,7 @@ std::string wrong_dependence(Worker& worker, const AskedCheck& asked, SpareTime&
     Asked answers(worker, time);
     answers.add(asked, input_seed(asked, 0));
     answers.add(asked, varied_seed(asked, fresh_place));
+    if (!asked.exercise.gl) answers.add(asked, varied_seed(asked, fresh_place + 1));
     if (answers.all.moved.empty()) return "";
     const auto is_enough = [&] { return answers.all.wrong.size() >= enough_moved || !time.is_left(); };
     if (asked.others)
