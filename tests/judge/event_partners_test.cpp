@@ -43,8 +43,17 @@ TEST(EventPartners, kinds_are_not_mixed_and_known_events_are_not_taken)
 
 TEST(EventPartners, what_stands_beside_it_stays_there)
 {
-    EXPECT_EQ(told({2, 1, 1, 1, 2, 5, 5, 5}, {2, 0, 1, 1, 2, 1, 1, 4}),
-              "point (1, 1, 1) for point (0, 1, 1), row 0 of 2 events");
+    EXPECT_EQ(told({2, 1, 1, 1, 2, 5, 5, 5}, {2, 4, 4, 1, 2, 1, 1, 2}),
+              "point (1, 1, 1) for point (4, 4, 1), row 0 of 2 events")
+        << "the second is nearer";
+}
+
+TEST(EventPartners, what_came_in_another_place_is_not_missing)
+{
+    // The last two are the other way round: one of them has no partner, and is near.
+    EXPECT_EQ(told({2, 0, 0.5F, 0, 2, 1, 1, 1, 2, 0, 0.4F, 0, 2, 0, 0.6F, 0},
+                   {2, 1, 1, 1, 2, 0, 0.6F, 0, 2, 0, 0.4F, 0, 2, 9, 9, 9}),
+              "point (0, 0.5, 0) for point (9, 9, 9), row 3 of 4 events");
 }
 
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 #include "judge/events/events.hpp"
 
@@ -40,8 +41,9 @@ std::map<double, NamedRows> event_kinds(std::string_view lines, std::size_t comp
         const std::size_t colon = std::min(name.find(": "), name.size());
         NamedRows& kind = kinds[code] = {name.substr(0, colon)};
         if (colon == name.size() || components == 0) continue;
-        kind.columns = column_names(std::string_view(name).substr(colon + 2), components - 1, "");
-        kind.columns.insert(kind.columns.begin(), "the kind of event");
+        kind.columns.emplace_back("the kind of event");
+        std::ranges::move(column_names(std::string_view(name).substr(colon + 2), components - 1, ""),
+                          std::back_inserter(kind.columns));
         if (kind.columns.size() != components) kind.columns.clear();
     }
     return kinds;
