@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "judge/noise/noise.hpp"
+#include "judge/rows/tensor_view.hpp"
 #include "noise_runs.hpp"
 
 // How widely estimates may scatter.
