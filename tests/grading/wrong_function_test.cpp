@@ -51,5 +51,18 @@ TEST_F(EventsOfOtherMoments, what_came_later_did_not_come_instead)
     EXPECT_EQ(wheel.message.find("came instead"), std::string::npos) << wheel.message;
 }
 
+TEST_F(EventsOfOtherMoments, what_came_instead_is_shown_once)
+{
+    const UnitResult result = grade("button == GLFW_MOUSE_BUTTON_RIGHT ? Drag::pan : Drag::none",
+                                    "button == GLFW_MOUSE_BUTTON_RIGHT ? Drag::orbit : Drag::none");
+    const CheckResult& pan = check(result, "pan/commands");
+    ASSERT_TRUE(pan.first_difference);
+    EXPECT_TRUE(pan.first_difference->yours.starts_with("orbit")) << pan.first_difference->yours;
+    EXPECT_TRUE(pan.first_difference->expected.starts_with("pan")) << pan.first_difference->expected;
+    EXPECT_NE(pan.message.find(" came instead ("), std::string::npos) << pan.message;
+    EXPECT_NE(pan.headline.find(" expected events are right"), std::string::npos) << pan.headline;
+    EXPECT_EQ(pan.headline.find("orbit"), std::string::npos) << pan.headline;
+}
+
 }
 }
