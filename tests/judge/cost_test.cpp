@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "explaining.hpp"
 #include "judge/cost/answers.hpp"
@@ -112,9 +114,22 @@ TEST(Costs, the_sizes_must_be_those_that_were_tried)
 TEST(Costs, what_cannot_be_judged_is_a_grader_fault)
 {
     Check check = check_of(JudgeKind{"cost"});
-    for (const Tensor& bad : {doubles({1000, 5}, 2), doubles({1000, 5, 1000, 6}, 2), doubles({1000, 0, 2000, 5}, 2),
-                              doubles({0, 1, 2000, 5}, 2), floats({1000, 5, 2000, 6}, 2), doubles({1000, 2000}, 1)})
-        EXPECT_THROW((void)judge(check, bad, bad, nullptr), std::invalid_argument);
+    check.own = CostParameters{1};
+    const auto fault_of = [&](const Tensor& bad) -> std::string {
+        try {
+            (void)judge(check, bad, bad, nullptr);
+        } catch (const std::invalid_argument& fault) {
+            return fault.what();
+        }
+        return "";
+    };
+    EXPECT_TRUE(fault_of(doubles({1000, 5}, 2)).ends_with("growth needs at least two sizes"));
+    EXPECT_TRUE(fault_of(doubles({1000, 5, 1000, 6}, 2)).ends_with("the sizes must increase"));
+    EXPECT_TRUE(fault_of(doubles({2000, 5, 1000, 6}, 2)).ends_with("the sizes must increase"));
+    for (const Tensor& bad : {doubles({1000, 0, 2000, 5}, 2), doubles({0, 1, 2000, 5}, 2)})
+        EXPECT_TRUE(fault_of(bad).ends_with("sizes and counts must be positive")) << fault_of(bad);
+    for (const Tensor& bad : {floats({1000, 5, 2000, 6}, 2), doubles({1000, 2000}, 1)})
+        EXPECT_NE(fault_of(bad).find("costs are rows of two doubles"), std::string::npos) << fault_of(bad);
 }
 
 TEST(Costs, controls_and_mistakes)
