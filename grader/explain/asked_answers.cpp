@@ -129,7 +129,8 @@ WrongGroup wrong_group(const Check& check, std::uint32_t question, const RowsOfQ
                                     ? fmt::format("one call: {} came, and is not expected of this call", apart->yours)
                                     : fmt::format("one call: expected {}, {}", apart->expected, came);
             if (apart->cell) apart->cell = rows.expected.at(*apart->cell);
-            return {question, std::move(apart), std::move(words)};
+            const bool are_both = apart->yours != "nothing" && apart->expected != "nothing";
+            return {question, std::move(apart), std::move(words), are_both};
         }
     const bool is_expected = first.cell && *first.cell < rows.expected.size();
     first.cell = is_expected ? std::optional(rows.expected[*first.cell]) : std::nullopt;
@@ -140,6 +141,7 @@ WrongGroup wrong_group(const Check& check, std::uint32_t question, const RowsOfQ
     const std::size_t counts = judgement.message.rfind(" (");
     if (begin != std::string::npos && counts != std::string::npos && begin < counts)
         group.words = where + judgement.message.substr(begin, counts - begin);
+    group.as_first = !judgement.headline.empty();
     // Of the rows of one call it is known.
     constexpr std::string_view nowhere = "is expected nowhere";
     if (const std::size_t place = group.words.find(nowhere); place != std::string::npos)

@@ -39,7 +39,8 @@ struct AskedAnswer {
 struct WrongGroup {
     std::uint32_t question = 0;
     std::optional<Difference> first{};  ///< within its rows; the cell is one of the whole table
-    std::string words{};  ///< "row 12: expected crowded edge (5, 6), nothing came"; empty if the check's own say more
+    std::string words{};    ///< "row 12: expected crowded edge (5, 6), nothing came"; empty if the check's own say more
+    bool as_first = false;  ///< the words say what stands in `first`, and no more
 };
 
 /// What a check's questions were answered.

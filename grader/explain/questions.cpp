@@ -67,15 +67,16 @@ void add_part(std::string& text, const std::string& part)
     if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
 }
 
-/// Puts these words before the counts in a message, and leaves those alone where the two values are shown anyway.
-void say_first(const std::string& words, CheckResult& result)
+/// Puts the words of a call before the counts in a message, and leaves those alone where the two values are shown
+/// anyway.
+void say_first(const WrongGroup& group, CheckResult& result)
 {
     const std::size_t counts = result.message.rfind(" (");
     if (counts == std::string::npos) return;
     result.headline.clear();
-    if (words.ends_with(" came instead") && result.message.ends_with(')'))
+    if (group.as_first && result.message.ends_with(')'))
         result.headline = result.message.substr(counts + 2, result.message.size() - counts - 3);
-    result.message = words + result.message.substr(counts);
+    result.message = group.words + result.message.substr(counts);
 }
 
 class CaseQuestions {
@@ -125,7 +126,7 @@ public:
         asked.others = [&](const auto& look) { look_elsewhere(check, headers, look); };
         if (auto group = first_wrong_group(worker_, asked, one_.seed)) {
             if (group->first && group->first->cell) wrong = {group->question, *group->first->cell};
-            if (!group->words.empty() && judge_of(check).free_rows) say_first(group->words, result);
+            if (!group->words.empty() && judge_of(check).free_rows) say_first(*group, result);
             const bool is_better = group->first || (result.first_difference && !result.first_difference->cell);
             if (group->first) result.first_difference = std::move(group->first);
             if (is_better) shown_.push_back({{group->question, 1}, &result.first_difference->question});

@@ -9,6 +9,8 @@ namespace umbral::grader {
 
 /// Of the size of what is compared: less is rounding.
 inline constexpr double rounding = 1e-5;
+/// Of what two floats are: their difference is as good as a rounding of these.
+inline constexpr double of_floats = 4e-7;
 
 /// The largest of them decides: beside it, the others may be rounding.
 [[nodiscard]] inline double size_of(std::span<const double> numbers)

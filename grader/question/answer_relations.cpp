@@ -133,8 +133,6 @@ std::optional<std::string> argument(const WrongVectors& vectors, const std::vect
 /// A vector of the question that is missing in what is answered, or that was added to it.
 std::optional<std::string> lacking(const WrongVectors& vectors, const std::vector<Fact>& facts)
 {
-    // Differences of floats are as good as a rounding of what they are between.
-    constexpr double of_floats = 4e-7;
     std::vector<std::string> words;
     for (const Fact& fact : facts) words.push_back(fact.words);
     for (const auto& [name, first, size] : vectors_in(words)) {

@@ -14,8 +14,6 @@ namespace {
 
 /// Of fewer different numbers anything is true by chance.
 constexpr std::size_t least_distances = 4;
-/// Differences of floats are as good as a rounding of what they are between.
-constexpr double of_floats = 4e-7;
 constexpr double most_factor = 16;  ///< nobody multiplies by more without another reason that would be told
 
 /// Numbers beside each other: `yours` is a constant times `right`, but for the rounding of what each was made of.

@@ -47,9 +47,8 @@ struct VectorColumns {
 /// The vectors among numbers that are called so: "ray.origin.x", "ray.origin.y" …
 [[nodiscard]] std::vector<VectorColumns> vectors_in(const std::vector<std::string>& names);
 
-/// All that is told of the questions: their numbers, the lengths, least and largest coordinates of vectors and
-/// ties between these, distances
-/// and products between two, areas and determinants of three, and determinants of matrices.
+/// All that is told of the questions: their numbers, the lengths, least and largest coordinates of vectors and ties
+/// between these, distances and products between two, areas and determinants of three, and determinants of matrices.
 [[nodiscard]] std::vector<Fact> facts_of(const QuestionTable& table);
 
 }

@@ -20,10 +20,15 @@ void append_row(Recorder& out, const char* name, std::initializer_list<std::uint
     out.append(name, std::span<const float>(row));
 }
 
+/// Not a number where the list is too short.
+float entry(const std::vector<std::uint32_t>& list, std::size_t i)
+{
+    return i < list.size() ? static_cast<float>(list[i]) : std::nanf("");
+}
+
 void append_list(Recorder& out, const char* name, const std::vector<std::uint32_t>& list, std::size_t count)
 {
-    for (std::size_t i = 0; i < count; ++i)
-        out.append(name, i < list.size() ? static_cast<float>(list[i]) : std::nanf(""));
+    for (std::size_t i = 0; i < count; ++i) out.append(name, entry(list, i));
 }
 
 /// Which table the rows of "starts" are of.
@@ -32,8 +37,7 @@ enum class Of { vertex, face };
 void append_starts(Recorder& out, Of of, const std::vector<std::uint32_t>& edges, std::size_t count)
 {
     for (std::size_t i = 0; i < count; ++i)
-        out.append("starts", std::vector<float>{static_cast<float>(of), static_cast<float>(i),
-                                                i < edges.size() ? static_cast<float>(edges[i]) : std::nanf("")});
+        out.append("starts", std::vector<float>{static_cast<float>(of), static_cast<float>(i), entry(edges, i)});
 }
 
 /// The three tables; `expected` says how long they should be.

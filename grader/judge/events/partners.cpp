@@ -52,14 +52,16 @@ std::tuple<bool, std::size_t, double> apart(Event a, Event b)
     return {!are_rearranged(a, b), different, std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity()};
 }
 
-/// The event of `side` that is nearest to `event`, of those that stand alone and are not in `others`.
+/// The event of `side` that is nearest to `event`, of those that stand alone and are not in `others`, which is looked
+/// through only for events that are nearer than what was found.
 std::optional<std::size_t> nearest(Event event, const TensorView& side, const std::vector<std::size_t>& alone,
                                    const TensorView& others, const Same& same)
 {
     std::optional<std::size_t> best;
     for (const std::size_t i : alone) {
-        if (side.cell(i)[0] != event[0] || is_in(others, side.cell(i), same)) continue;
-        if (!best || apart(side.cell(i), event) < apart(side.cell(*best), event)) best = i;
+        const Event one = side.cell(i);
+        if (one[0] != event[0] || (best && !(apart(one, event) < apart(side.cell(*best), event)))) continue;
+        if (!is_in(others, one, same)) best = i;
     }
     return best;
 }
