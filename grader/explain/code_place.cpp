@@ -71,7 +71,7 @@ public:
         });
         if (found.size() <= 1) return found;
         // What is reached only where a bug is, is told from what leads there by questions that turn off in between.
-        if (elsewhere.wrong.empty()) elsewhere = among(others, cases, built);
+        if (elsewhere.empty()) elsewhere = among(others, cases, built);
         if (but_idle) elsewhere = without_idle(elsewhere);
         add(fresh, elsewhere);
         const auto strays = [&](const PartingPlace& one) { return strays_of(place_among(one, elsewhere)); };
@@ -85,7 +85,8 @@ public:
 private:
     [[nodiscard]] static bool lacks(const PassedPlaces& seen, bool wrong)
     {
-        return static_cast<std::size_t>(std::ranges::count(seen.wrong, wrong)) < least_parted_questions;
+        return static_cast<std::size_t>(std::ranges::count(seen, wrong, &PassedQuestion::wrong)) <
+               least_parted_questions;
     }
 
     /// The questions of other cases to the same function.
@@ -102,14 +103,7 @@ private:
         return all;
     }
 
-    static void add(const PassedPlaces& some, PassedPlaces& into)
-    {
-        into.wrong.insert(into.wrong.end(), some.wrong.begin(), some.wrong.end());
-        into.places.insert(into.places.end(), some.places.begin(), some.places.end());
-        into.by_exception.insert(into.by_exception.end(), some.by_exception.begin(), some.by_exception.end());
-        into.given.insert(into.given.end(), some.given.begin(), some.given.end());
-        into.idle.insert(into.idle.end(), some.idle.begin(), some.idle.end());
-    }
+    static void add(const PassedPlaces& some, PassedPlaces& into) { into.insert(into.end(), some.begin(), some.end()); }
 
     /// The questions with these inputs, of the function that most wrong answers are of.
     void add(const AskedCheck& asked, std::uint64_t seed, PassedPlaces& into)
@@ -137,11 +131,11 @@ private:
             const auto passed = places->find(question);
             // What runs no code of the student's own has nothing to show.
             if (passed == places->end()) continue;
-            into.wrong.push_back(is_wrong);
-            into.places.push_back(passed->second.places);
-            into.by_exception.push_back(passed->second.by_exception);
-            into.given.push_back(given.contains(question));
-            into.idle.push_back(!is_wrong && !busy.contains(question));
+            into.push_back({.wrong = is_wrong,
+                            .places = passed->second.places,
+                            .by_exception = passed->second.by_exception,
+                            .given = given.contains(question),
+                            .idle = !is_wrong && !busy.contains(question)});
         }
     }
 

@@ -21,9 +21,7 @@ struct Sides {
 
 bool is_left_by_exception(const PassedPlaces& seen)
 {
-    for (std::size_t i = 0; i < seen.by_exception.size(); ++i)
-        if (seen.by_exception[i] && seen.wrong[i]) return true;
-    return false;
+    return std::ranges::any_of(seen, [](const PassedQuestion& one) { return one.wrong && one.by_exception; });
 }
 
 Sides sides_of(const PartingPlace& place)
@@ -35,30 +33,24 @@ Sides sides_of(const PartingPlace& place)
 
 }
 
-bool are_wrong_where_given(const PassedPlaces& seen) { return !seen.given.empty() && seen.given == seen.wrong; }
-
-PassedPlaces without_idle(const PassedPlaces& seen)
+bool are_wrong_where_given(const PassedPlaces& seen)
 {
-    if (seen.idle.empty()) return seen;
-    PassedPlaces rest;
-    for (std::size_t i = 0; i < seen.wrong.size(); ++i) {
-        if (seen.idle[i]) continue;
-        rest.wrong.push_back(seen.wrong[i]);
-        rest.places.push_back(seen.places[i]);
-        rest.by_exception.push_back(!seen.by_exception.empty() && seen.by_exception[i]);
-        rest.given.push_back(seen.given.empty() || seen.given[i]);
-    }
-    return rest;
+    return !seen.empty() && std::ranges::all_of(seen, [](const PassedQuestion& one) { return one.given == one.wrong; });
+}
+
+PassedPlaces without_idle(PassedPlaces seen)
+{
+    std::erase_if(seen, &PassedQuestion::idle);
+    return seen;
 }
 
 PartingPlace place_among(const PartingPlace& place, const PassedPlaces& others)
 {
-    PartingPlace result{place.place, place.of_wrong};
-    result.but_idle = place.but_idle;
-    for (std::size_t i = 0; i < others.wrong.size(); ++i) {
-        const bool through = std::ranges::find(others.places[i], place.place) != others.places[i].end();
-        ++(others.wrong[i] ? result.wrong : result.right);
-        if (through) ++(others.wrong[i] ? result.wrong_through : result.right_through);
+    PartingPlace result{.place = place.place, .of_wrong = place.of_wrong, .but_idle = place.but_idle};
+    for (const PassedQuestion& one : others) {
+        const bool through = std::ranges::find(one.places, place.place) != one.places.end();
+        ++(one.wrong ? result.wrong : result.right);
+        if (through) ++(one.wrong ? result.wrong_through : result.right_through);
     }
     return result;
 }
@@ -82,13 +74,13 @@ std::pair<double, double> strays_of(const PartingPlace& place)
 
 std::vector<PartingPlace> parting_places(const PassedPlaces& seen)
 {
-    const auto wrong = static_cast<std::size_t>(std::ranges::count(seen.wrong, true));
-    if (wrong < least_parted_questions || seen.wrong.size() - wrong < least_beside) return {};
+    const auto wrong = static_cast<std::size_t>(std::ranges::count(seen, true, &PassedQuestion::wrong));
+    if (wrong < least_parted_questions || seen.size() - wrong < least_beside) return {};
     std::map<std::uint32_t, PartingPlace> all;
-    for (std::size_t i = 0; i < seen.wrong.size(); ++i)
-        for (const std::uint32_t place : seen.places[i]) {
+    for (const PassedQuestion& question : seen)
+        for (const std::uint32_t place : question.places) {
             PartingPlace& one = all.try_emplace(place, PartingPlace{place}).first->second;
-            ++(seen.wrong[i] ? one.wrong_through : one.right_through);
+            ++(question.wrong ? one.wrong_through : one.right_through);
         }
     std::vector<PartingPlace> best;
     const auto offer = [&](PartingPlace place) {
@@ -100,14 +92,14 @@ std::vector<PartingPlace> parting_places(const PassedPlaces& seen)
     for (const bool of_wrong : {true, false}) {
         if (!of_wrong && is_left_by_exception(seen)) break;
         std::set<std::uint32_t> offered;
-        for (std::size_t i = 0; i < seen.wrong.size(); ++i) {
-            if (seen.wrong[i] != of_wrong) continue;
-            for (const std::uint32_t number : seen.places[i]) {
+        for (const PassedQuestion& question : seen) {
+            if (question.wrong != of_wrong) continue;
+            for (const std::uint32_t number : question.places) {
                 if (!offered.insert(number).second) continue;
                 PartingPlace place = all.at(number);
                 place.of_wrong = of_wrong;
                 place.wrong = wrong;
-                place.right = seen.wrong.size() - wrong;
+                place.right = seen.size() - wrong;
                 offer(place);
             }
         }

@@ -8,17 +8,21 @@
 
 namespace umbral::grader {
 
-/// Questions beside each other, and through which places of a student's code each went.
-struct PassedPlaces {
-    std::vector<bool> wrong{};                         ///< has the question a wrong answer?
-    std::vector<std::vector<std::uint32_t>> places{};  ///< in the order in which they were first reached
-    std::vector<bool> by_exception{};                  ///< did an exception end the question? Empty: none did
-    std::vector<bool> given{};                         ///< was an answer given, where there may be none? Empty: always
-    std::vector<bool> idle{};  ///< is it right that nothing is answered, and nothing was? Empty: never
+/// A question, and through which places of a student's code it went.
+struct PassedQuestion {
+    bool wrong = false;                   ///< has it a wrong answer?
+    std::vector<std::uint32_t> places{};  ///< in the order in which they were first reached
+    bool by_exception = false;            ///< did an exception end it?
+    bool given = true;                    ///< was an answer given, where there may be none?
+    bool idle = false;                    ///< is it right that nothing is answered, and nothing was?
 };
 
-/// The same without those: code that finds early that there is nothing to do looks like code that leaves off early.
-[[nodiscard]] PassedPlaces without_idle(const PassedPlaces& seen);
+/// Questions beside each other.
+using PassedPlaces = std::vector<PassedQuestion>;
+
+/// All but those that are idle: code that finds early that there is nothing to do looks like code that leaves off
+/// early.
+[[nodiscard]] PassedPlaces without_idle(PassedPlaces seen);
 
 /// Are those that were given an answer wrong, and all others right? What parts them only tells that an answer was
 /// given.

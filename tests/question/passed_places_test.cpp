@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 namespace umbral::grader {
 namespace {
 
@@ -12,10 +10,7 @@ using Places = std::vector<std::uint32_t>;
 /// Adds `count` questions that come through these places.
 void add(PassedPlaces& seen, std::size_t count, bool wrong, const Places& places)
 {
-    for (std::size_t i = 0; i < count; ++i) {
-        seen.wrong.push_back(wrong);
-        seen.places.push_back(places);
-    }
+    for (std::size_t i = 0; i < count; ++i) seen.push_back({.wrong = wrong, .places = places});
 }
 
 Places numbers(const std::vector<PartingPlace>& found)
@@ -52,10 +47,9 @@ TEST(PassedPlaces, what_follows_a_call_that_is_left_by_an_exception_is_none)
     PassedPlaces seen;
     add(seen, 20, false, {1, 2, 9});
     add(seen, 5, true, {1, 9});
-    seen.by_exception.assign(25, false);
-    seen.by_exception[3] = true;
+    seen[3].by_exception = true;
     EXPECT_EQ(numbers(parting_places(seen)), (Places{2})) << "in a right one it says nothing";
-    seen.by_exception[22] = true;
+    seen[22].by_exception = true;
     EXPECT_TRUE(parting_places(seen).empty());
 }
 
@@ -68,10 +62,9 @@ TEST(PassedPlaces, those_that_have_nothing_to_do_may_be_left_out)
     add(seen, 5, true, {1, 2, 7, 9});
     EXPECT_EQ(numbers(parting_places(without_idle(seen))), numbers(parting_places(seen))) << "none is known to be";
     EXPECT_TRUE(parting_places(seen).empty());
-    seen.idle.assign(31, false);
-    std::fill(seen.idle.begin() + 20, seen.idle.begin() + 26, true);
+    for (std::size_t i = 20; i < 26; ++i) seen[i].idle = true;
     const PassedPlaces busy = without_idle(seen);
-    EXPECT_EQ(busy.wrong.size(), 25U);
+    EXPECT_EQ(busy.size(), 25U);
     EXPECT_EQ(numbers(parting_places(busy)), (Places{7}));
 }
 
@@ -82,9 +75,9 @@ TEST(PassedPlaces, where_an_answer_is_given_is_known_apart)
     add(seen, 3, false, {1, 2});
     add(seen, 3, true, {1, 3});
     EXPECT_FALSE(are_wrong_where_given(seen)) << "nothing is known of that";
-    seen.given = seen.wrong;
+    for (PassedQuestion& one : seen) one.given = one.wrong;
     EXPECT_TRUE(are_wrong_where_given(seen));
-    seen.given[0] = true;
+    seen[0].given = true;
     EXPECT_FALSE(are_wrong_where_given(seen)) << "one that was given an answer is right";
 }
 
