@@ -1,7 +1,8 @@
 #include "explain/mistakes_ahead.hpp"
 
-#include <system_error>
 #include <utility>
+
+#include "worker/thread_or_none.hpp"
 
 namespace umbral::grader {
 
@@ -10,20 +11,15 @@ MistakesAhead::MistakesAhead(Worker& worker, const Exercise& exercise, const std
 {
     Worker* const second = mistakes.size() > 1 ? worker.second() : nullptr;
     if (second == nullptr) return;
-    const auto begin_with_last = [second, &exercise, &case_name, seed,
-                                  all = std::move(mistakes)](const std::stop_token& stop) {
-        try {
-            for (auto one = all.rbegin(); one != all.rend() && !stop.stop_requested(); ++one)
-                (void)second->run_known(exercise, **one, case_name, seed);
-        } catch (...) {
-            // The first worker comes to the same.
-        }
-    };
-    try {
-        ahead_ = std::jthread(begin_with_last);
-    } catch (const std::system_error&) {
-        // No more threads to be had.
-    }
+    ahead_ =
+        thread_or_none([second, &exercise, &case_name, seed, all = std::move(mistakes)](const std::stop_token& stop) {
+            try {
+                for (auto one = all.rbegin(); one != all.rend() && !stop.stop_requested(); ++one)
+                    (void)second->run_known(exercise, **one, case_name, seed);
+            } catch (...) {
+                // The first worker comes to the same.
+            }
+        });
 }
 
 }

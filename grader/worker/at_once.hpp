@@ -1,9 +1,9 @@
 #pragma once
 
 #include <exception>
-#include <system_error>
 #include <thread>
 
+#include "worker/thread_or_none.hpp"
 #include "worker/worker.hpp"
 
 namespace umbral::grader {
@@ -17,22 +17,16 @@ void at_once(Worker& worker, const First& first, const Other& other)
     Worker* const second = worker.second();
     std::exception_ptr failed;
     std::jthread thread;
-    if (second != nullptr) {
-        try {
-            thread = std::jthread([&other, &failed, second] {
-                try {
-                    other(*second);
-                } catch (...) {
-                    failed = std::current_exception();
-                }
-            });
-        } catch (const std::system_error&) {
-            // It is done behind the first.
-        }
-    }
-    const bool is_alone = !thread.joinable();
+    if (second != nullptr)
+        thread = thread_or_none([&other, &failed, second] {
+            try {
+                other(*second);
+            } catch (...) {
+                failed = std::current_exception();
+            }
+        });
     first(worker);
-    if (is_alone) {
+    if (!thread.joinable()) {
         other(worker);
         return;
     }

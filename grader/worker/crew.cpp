@@ -4,8 +4,9 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
+
+#include "worker/thread_or_none.hpp"
 
 namespace umbral::grader {
 
@@ -55,11 +56,9 @@ void Crew::share_out(std::size_t count, const Task& task)
     for (Worker* const worker : all) worker->allow_second(count == 1 && jobs_ > 1);
     {
         std::vector<std::jthread> others;
-        try {
-            for (std::size_t i = 1; i < std::min(all.size(), count); ++i) others.emplace_back(work, std::ref(*all[i]));
-        } catch (const std::system_error&) {
-            // No more threads to be had: those that there are do the work.
-        }
+        // Where there are no more, those that there are do the work.
+        for (std::size_t i = 1; i < std::min(all.size(), count); ++i)
+            others.push_back(thread_or_none([&work, worker = all[i]] { work(*worker); }));
         if (count > 0) work(*all.front());
     }
     if (fault) std::rethrow_exception(fault);
