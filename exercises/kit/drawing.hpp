@@ -1,10 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <umbral/core/grid.hpp>
 #include <utility>
@@ -36,7 +38,15 @@ public:
         const glm::dvec2 along = to_pixels(to) - a;
         if (!is_drawable(a) || !is_drawable(a + along)) return;
         const double length_squared = glm::dot(along, along);
-        paint(glm::min(a, a + along) - 0.5 * width, glm::max(a, a + along) + 0.5 * width, color, alpha,
+        // In a row, all that is nearer than `reach` to the line through both places.
+        const double reach = 0.5 * width + 1;
+        const auto near_line = [&](double y) {
+            if (along.y == 0) return everywhere;
+            const double x = a.x + (y - a.y) / along.y * along.x;
+            const double half = reach * std::sqrt(length_squared) / std::abs(along.y);
+            return Range{x - half, x + half};
+        };
+        paint(glm::min(a, a + along) - 0.5 * width, glm::max(a, a + along) + 0.5 * width, color, alpha, near_line,
               [&](glm::dvec2 p) {
                   const double t =
                       length_squared > 0 ? std::clamp(glm::dot(p - a, along) / length_squared, 0.0, 1.0) : 0.0;
@@ -64,7 +74,7 @@ public:
     void disc(glm::dvec2 place, double radius, glm::vec3 color, double alpha = 1)
     {
         const glm::dvec2 middle = to_pixels(place);
-        paint(middle - radius, middle + radius, color, alpha,
+        paint(middle - radius, middle + radius, color, alpha, whole_row,
               [&](glm::dvec2 p) { return smooth(radius - glm::length(p - middle)); });
     }
 
@@ -72,7 +82,7 @@ public:
     {
         const glm::dvec2 middle = to_pixels(place);
         const double outside = radius + 0.5 * width;
-        paint(middle - outside, middle + outside, color, 1,
+        paint(middle - outside, middle + outside, color, 1, whole_row,
               [&](glm::dvec2 p) { return smooth(0.5 * width - std::abs(glm::length(p - middle) - radius)); });
     }
 
@@ -88,12 +98,22 @@ public:
             low = glm::min(low, corner);
             high = glm::max(high, corner);
         }
+        // Where the sides cross four lines in each row of pixels, which have four samples in each pixel.
         constexpr int samples = 4;
-        paint(low, high, color, alpha, [&](glm::dvec2 p) {
-            int inside = 0;
-            for (int i = 0; i < samples * samples; ++i)
-                if (is_inside(corners, p + glm::dvec2(i % samples, i / samples) / double(samples) - 0.375)) ++inside;
-            return inside / double(samples * samples);
+        std::array<std::vector<double>, samples> crossings;
+        const auto cross_row = [&](double y) {
+            for (int i = 0; i < samples; ++i)
+                crossings_at(corners, y + i / double(samples) - 0.375, crossings[static_cast<std::size_t>(i)]);
+            return everywhere;
+        };
+        paint(low, high, color, alpha, cross_row, [&](glm::dvec2 p) {
+            std::ptrdiff_t inside = 0;
+            for (const std::vector<double>& line : crossings)
+                for (int i = 0; i < samples; ++i) {
+                    const double x = p.x + i / double(samples) - 0.375;
+                    inside += (line.end() - std::upper_bound(line.begin(), line.end(), x)) % 2;
+                }
+            return static_cast<double>(inside) / double(samples * samples);
         });
     }
 
@@ -113,7 +133,16 @@ public:
     [[nodiscard]] Image picture() const
     {
         Image result(pixels_.width, pixels_.height);
-        std::transform(pixels_.cells.begin(), pixels_.cells.end(), result.cells.begin(), pixel_of);
+        // Most pixels have the colour of the one before, and the sRGB curve takes longest of all.
+        std::optional<glm::dvec3> before;
+        glm::u8vec4 pixel;
+        std::transform(pixels_.cells.begin(), pixels_.cells.end(), result.cells.begin(), [&](const glm::dvec3& light) {
+            if (before != light) {
+                pixel = pixel_of(light);
+                before = light;
+            }
+            return pixel;
+        });
         return result;
     }
 
@@ -127,28 +156,46 @@ private:
         return {0.5 * pixels_.width + shift.x, 0.5 * pixels_.height - shift.y};
     }
 
-    static bool is_inside(const std::vector<glm::dvec2>& corners, glm::dvec2 p)
+    /// Places of a row between which a shape lies, in pixels from the left.
+    struct Range {
+        double first;
+        double last;
+    };
+    static constexpr Range everywhere{-1e6, 1e6};
+    static Range whole_row(double) { return everywhere; }
+
+    /// Where the sides of a polygon cross the line at this height, from left to right: a place with an odd number of
+    /// them to its right is inside.
+    static void crossings_at(const std::vector<glm::dvec2>& corners, double y, std::vector<double>& crossings)
     {
-        bool inside = false;
+        crossings.clear();
         for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
             const glm::dvec2& a = corners[i];
             const glm::dvec2& b = corners[j];
-            if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) inside = !inside;
+            if ((a.y > y) != (b.y > y)) crossings.push_back((b.x - a.x) * (y - a.y) / (b.y - a.y) + a.x);
         }
-        return inside;
+        std::sort(crossings.begin(), crossings.end());
     }
 
-    // Mixes `color` into the pixels of a box; `cover` gives how much of the pixel round a place is covered.
-    template <class Cover>
-    void paint(glm::dvec2 low, glm::dvec2 high, glm::vec3 color, double alpha, Cover cover)
+    // Mixes `color` into the pixels of a box. `row` is told the height of each row's middle and answers in which range
+    // there is anything to paint; `cover` gives how much of the pixel round a place is covered.
+    template <class Row, class Cover>
+    void paint(glm::dvec2 low, glm::dvec2 high, glm::vec3 color, double alpha, Row row, Cover cover)
     {
         if (!is_drawable(low) || !is_drawable(high)) return;
         const glm::dvec3 paint = srgb_decoded(color);
-        const int right = std::min(pixels_.width - 1, static_cast<int>(std::ceil(high.x)));
         const int bottom = std::min(pixels_.height - 1, static_cast<int>(std::ceil(high.y)));
-        for (int y = std::max(0, static_cast<int>(std::floor(low.y)) - 1); y <= bottom; ++y)
-            for (int x = std::max(0, static_cast<int>(std::floor(low.x)) - 1); x <= right; ++x)
-                pixels_.at(x, y) = glm::mix(pixels_.at(x, y), paint, alpha * cover(glm::dvec2(x + 0.5, y + 0.5)));
+        for (int y = std::max(0, static_cast<int>(std::floor(low.y)) - 1); y <= bottom; ++y) {
+            const Range range = row(y + 0.5);
+            const double left = std::max(low.x, range.first);
+            const double right = std::min(high.x, range.last);
+            if (!(left <= right + 1)) continue;
+            const int last = std::min(pixels_.width - 1, static_cast<int>(std::ceil(right)));
+            for (int x = std::max(0, static_cast<int>(std::floor(left)) - 1); x <= last; ++x) {
+                glm::dvec3& pixel = pixels_.at(x, y);
+                pixel = glm::mix(pixel, paint, alpha * cover(glm::dvec2(x + 0.5, y + 0.5)));
+            }
+        }
     }
 
     Grid<glm::dvec3> pixels_;

@@ -18,13 +18,14 @@ inline float share_seen(const glm::vec3& place, const glm::vec3& lamp, float lam
 {
     const glm::vec3 to_ball = ball.centre - place;
     const glm::vec3 to_lamp = lamp - place;
-    const float along = dot(to_ball, to_lamp) / dot(to_lamp, to_lamp);
+    const float towards = dot(to_ball, to_lamp);
     // Most balls are behind, or so far aside that no angle need be computed.
-    if (along <= 0) return 1;
+    if (towards <= 0) return 1;
+    const float along = towards / dot(to_lamp, to_lamp);
     const glm::vec3 aside = to_ball - along * to_lamp;
     const float reach = ball.radius + along * lamp_radius;
     if (dot(aside, aside) > 1.3F * reach * reach) return 1;
-    const float cosine = dot(to_ball, to_lamp) / (length(to_ball) * length(to_lamp));
+    const float cosine = towards / (length(to_ball) * length(to_lamp));
     const float hidden = std::asin(std::min(1.0F, ball.radius / length(to_ball)));
     const float soft = lamp_radius / length(to_lamp);
     return glm::smoothstep(hidden - soft, hidden + soft, std::acos(std::min(1.0F, cosine)));
