@@ -43,10 +43,11 @@ set(UMBRAL_STUDENT_FLAGS -std=c++20 -g1 -O1 -fPIC -fno-gnu-unique -ffp-contract=
 # What must not be right by chance, where the compiler has it:
 # - A variable that was never given a value holds -1.7e38, or the number of no element; grader/build/with_zeros builds
 #   failing work with zeros instead, and different answers tell of such a variable. g++ leaves out what a function
-#   returns by its name, what has a constructor, and parts that it keeps in registers, but for the three flags behind.
+#   returns by its name, what has a constructor, and parts that it keeps in registers, but for the next three flags.
+#   Without the last it takes a variable that is set in one branch for set in all.
 # - An index outside of an array, and a function that ends without its result, end the program.
 include(CheckCXXCompilerFlag)
-foreach(flags "-ftrivial-auto-var-init=pattern -fno-elide-constructors -fno-lifetime-dse -fno-tree-sra"
+foreach(flags "-ftrivial-auto-var-init=pattern -fno-elide-constructors -fno-lifetime-dse -fno-tree-sra -fno-tree-fre"
     "-fsanitize=bounds,return -fsanitize-undefined-trap-on-error")
   string(MAKE_C_IDENTIFIER "UMBRAL_HAS${flags}" has)
   check_cxx_compiler_flag("${flags}" ${has})

@@ -10,9 +10,7 @@ std::optional<Built> build_with_zeros(const Toolchain& tools, const Exercise& ex
     const auto filled = std::ranges::find(changed.flags, "-ftrivial-auto-var-init=pattern");
     if (filled == changed.flags.end() || !exercise.is_cpp()) return std::nullopt;
     *filled = "-ftrivial-auto-var-init=zero";
-    // Without the first, g++ may take a variable that is set in one branch for set in all, before it warns.
-    for (const char* const flag : {"-fno-tree-fre", "-Wuninitialized", "-Wmaybe-uninitialized"})
-        changed.flags.emplace_back(flag);
+    for (const char* const flag : {"-Wuninitialized", "-Wmaybe-uninitialized"}) changed.flags.emplace_back(flag);
     changed.budget = built.budget;
     Built zeros = build(changed, exercise, built.files);
     zeros.fresh_memory = FreshMemory::lasting_zeros;

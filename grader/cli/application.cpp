@@ -23,7 +23,13 @@ namespace fs = std::filesystem;
 
 fs::path cache_folder(const Layout& layout)
 {
-    if (const char* own = std::getenv("UMBRAL_CACHE")) return own;
+    if (const char* own = std::getenv("UMBRAL_CACHE"); own != nullptr && *own != '\0') {
+        // Confined programs get its paths, and stand elsewhere.
+        fs::path folder = fs::absolute(own);
+        if (fs::exists(folder) && !fs::is_directory(folder))
+            throw UsageError(fmt::format("UMBRAL_CACHE={}: expected a folder, or nothing yet", own));
+        return folder;
+    }
     if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg != nullptr && *xdg == '/') return fs::path(xdg) / "umbral";
     if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/')
         return fs::path(home) / ".cache" / "umbral";

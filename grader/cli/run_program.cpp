@@ -9,6 +9,7 @@
 #include "cli/application.hpp"
 #include "cli/config.hpp"
 #include "cli/hand_over.hpp"
+#include "cli/settle_process.hpp"
 #include "model/nearest.hpp"
 #include "text/escape.hpp"
 
@@ -111,6 +112,7 @@ int run(std::span<char* const> words, std::span<const ListedCommand> commands)
 
 int run_program(std::span<char* const> words, std::span<const ListedCommand> commands)
 {
+    settle_process();
     try {
         return run(words, commands);
     } catch (const UsageError& error) {

@@ -64,6 +64,18 @@ std::vector<Entry> entries_of(const fs::path& path, ClassFolder& result)
     return entries;
 }
 
+/// What a line of the roster that names no folder was probably meant to name. Accents behind their letters, as Macs
+/// write them, look like letters with accents.
+std::string alike(const RosterEntry& line, const std::vector<Entry>& entries)
+{
+    const std::string wanted = derived_id(line.folder);
+    std::vector<std::string> names;
+    for (const Entry& entry : entries)
+        if (!wanted.empty() && derived_id(entry.stem) == wanted) names.push_back(entry.name);
+    if (names.empty()) return "";
+    return fmt::format("; {} looks alike, but is spelt with other characters: copy the name from there", listed(names));
+}
+
 /// The submission that a line of the roster means: by the whole name of its archive, or by that of a folder, or of an
 /// archive without its suffix, if nothing else has it, since whoever names what is handed in must not choose whose work
 /// it is. Null, with the reason, if there is none.
@@ -80,7 +92,7 @@ Entry* meant_by(const RosterEntry& line, std::vector<Entry>& entries, std::strin
     }
     if (names.size() == 1) return found;
     reason = names.empty()
-                 ? "there is no such folder"
+                 ? "there is no such folder" + alike(line, entries)
                  : fmt::format("each of {} could be it: list an archive by its whole name, or rename one of them",
                                listed(names));
     return nullptr;

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <memory>
 #include <system_error>
@@ -15,11 +16,13 @@
 namespace umbral::grader {
 namespace {
 
-/// Why something could not be opened, if the one who made it is to blame.
+/// The machine failed, and no submission: an ailing disk, a network that is gone, something that was moved meanwhile.
+[[noreturn]] void fail(int error) { throw std::system_error(error, std::generic_category(), "reading a submission"); }
+
+/// Why something that is there could not be opened, if the one who made it is to blame. Throws if not.
 std::string reason_of(int error)
 {
-    if (error == EMFILE || error == ENFILE || error == ENOMEM)
-        throw std::system_error(error, std::generic_category(), "reading a submission");
+    if (!may_be_made(error)) fail(error);
     if (error == ELOOP) return "it is a link: hand in the file itself";
     return fmt::format("it cannot be opened: {}", std::generic_category().message(error));
 }
@@ -51,11 +54,20 @@ bool is_folder(int parent, const dirent& entry)
 
 }
 
+bool may_be_made(int error) noexcept
+{
+    constexpr std::array made{EACCES, EISDIR, ELOOP, ENAMETOOLONG, ENODEV, ENOTDIR, ENXIO, EPERM};
+    return std::ranges::find(made, error) != made.end();
+}
+
 bool lies_below(int root, std::string_view path)
 {
     const Descriptor folder = open_below(root, parent_part(path), O_DIRECTORY);
     struct stat status {};
-    return folder && fstatat(folder.get(), std::string(last_part(path)).c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
+    if (folder && fstatat(folder.get(), std::string(last_part(path)).c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0)
+        return true;
+    if (errno != ENOENT && !may_be_made(errno)) fail(errno);
+    return false;
 }
 
 FileBytes read_file_below(int root, std::string_view path, std::size_t limit)
@@ -84,7 +96,7 @@ FileBytes read_file_below(int root, std::string_view path, std::size_t limit)
     while (size < result.bytes.size()) {
         const ssize_t got =
             pread(file.get(), result.bytes.data() + size, result.bytes.size() - size, static_cast<off_t>(size));
-        if (got < 0) return refuse(fmt::format("it cannot be read: {}", std::generic_category().message(errno)));
+        if (got < 0) fail(errno);
         if (got == 0) break;
         size += static_cast<std::size_t>(got);
     }
@@ -107,7 +119,13 @@ Listing list_folder_below(int root, std::string_view path, std::size_t most)
         close(own);
         throw std::system_error(errno, std::generic_category(), "reading a submission's folder");
     }
-    while (const dirent* entry = readdir(folder.get())) {
+    const auto next = [&] {
+        errno = 0;
+        const dirent* const entry = readdir(folder.get());
+        if (entry == nullptr && errno != 0) fail(errno);
+        return entry;
+    };
+    while (const dirent* entry = next()) {
         const std::string_view name = entry->d_name;
         if (name == "." || name == "..") continue;
         listing.whole = listing.entries < most;

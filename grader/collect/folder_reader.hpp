@@ -10,8 +10,11 @@
 namespace umbral::grader {
 
 // Files and folders below an open folder that somebody else filled. Nothing here follows a link, waits at a pipe or
-// opens a device. What the other one did becomes a text in `refused`; std::system_error is thrown if this machine has
-// no descriptor or memory left.
+// opens a device. What the other one did becomes a text in `refused`; std::system_error is thrown for all else: no
+// descriptor or memory left, an ailing disk, a network that is gone, a file that was listed and is not there any more.
+
+/// Can whoever makes a folder see to it that opening something there ends with this errno? Others are the machine's.
+[[nodiscard]] bool may_be_made(int error) noexcept;
 
 /// The bytes of one file.
 struct FileBytes {
@@ -21,7 +24,7 @@ struct FileBytes {
 /// Reads the regular file `path` (parts joined by '/') below the folder `root`, if it has at most `limit` bytes.
 [[nodiscard]] FileBytes read_file_below(int root, std::string_view path, std::size_t limit);
 
-/// Is there anything at `path` that can be looked at?
+/// Is there anything at `path` that can be looked at? Throws where only the machine keeps one from it.
 [[nodiscard]] bool lies_below(int root, std::string_view path);
 
 /// What lies in one folder.

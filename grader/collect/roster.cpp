@@ -26,7 +26,14 @@ struct Record {
 /// Splits CSV into records, one after the other.
 class CsvReader {
 public:
-    CsvReader(std::string_view text, const std::string& where) : rest_(text), where_(where) {}
+    /// The first line tells what stands between fields: a semicolon, as spreadsheets write where numbers have commas,
+    /// or a comma.
+    CsvReader(std::string_view text, const std::string& where)
+        : rest_(text),
+          where_(where),
+          separator_(text.substr(0, text.find('\n')).find(';') == std::string_view::npos ? ',' : ';')
+    {
+    }
 
     [[nodiscard]] bool at_end() const { return rest_.empty(); }
 
@@ -38,7 +45,7 @@ public:
             if (rest_.empty()) return record;
             const char separator = rest_.front();
             rest_.remove_prefix(1);
-            if (separator == ',') continue;
+            if (separator == separator_) continue;
             ++line_;
             return record;
         }
@@ -47,7 +54,7 @@ public:
 private:
     std::string plain()
     {
-        const std::size_t end = std::min(rest_.find_first_of(",\n"), rest_.size());
+        const std::size_t end = std::min({rest_.find(separator_), rest_.find('\n'), rest_.size()});
         std::string field(rest_.substr(0, end));
         rest_.remove_prefix(end);
         if (field.ends_with('\r')) field.pop_back();
@@ -72,13 +79,14 @@ private:
             rest_.remove_prefix(1);
         }
         if (rest_.starts_with("\r\n")) rest_.remove_prefix(1);
-        if (!rest_.empty() && rest_.front() != ',' && rest_.front() != '\n')
-            fail(where_, line_, "expected a comma or the end of the line behind a quoted field");
+        if (!rest_.empty() && rest_.front() != separator_ && rest_.front() != '\n')
+            fail(where_, line_, fmt::format("expected '{}' or the end of the line behind a quoted field", separator_));
         return field;
     }
 
     std::string_view rest_;
     std::string where_;
+    char separator_;
     std::size_t line_ = 1;
 };
 

@@ -207,7 +207,7 @@ SubmittedFiles read_submission(const fs::path& path, std::span<const Exercise> u
         take_folder(folder.get(), units, intake);
     else if (errno == ENOTDIR)
         take_single(path, intake);
-    else if (errno == EMFILE || errno == ENFILE || errno == ENOMEM)
+    else if (!may_be_made(errno))
         throw std::system_error(errno, std::generic_category(), "opening " + path.string());
     else
         intake.note(fmt::format("the submission cannot be opened: {}", std::generic_category().message(errno)));

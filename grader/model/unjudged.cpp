@@ -10,6 +10,7 @@ constexpr std::array unjudged_names{
     EnumNames<Unjudged>{Unjudged::unwritten, "unwritten", "not implemented yet"},
     EnumNames<Unjudged>{Unjudged::stopped, "stopped", "no result"},
     EnumNames<Unjudged>{Unjudged::not_run, "not_run", "not run"},
+    EnumNames<Unjudged>{Unjudged::wrong_answers, "wrong_answers", "not measured: its answers are wrong"},
 };
 
 }

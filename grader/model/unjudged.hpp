@@ -7,10 +7,11 @@ namespace umbral::grader {
 
 /// What kept all of a check from being judged.
 enum class Unjudged : std::uint8_t {
-    no,         ///< nothing did
-    unwritten,  ///< it asks a function that is not written yet
-    stopped,    ///< its case crashed, or was stopped
-    not_run,    ///< its case was not run, since too many before took too long
+    no,             ///< nothing did
+    unwritten,      ///< it asks a function that is not written yet
+    stopped,        ///< its case crashed, or was stopped
+    not_run,        ///< its case was not run, since too many before took too long
+    wrong_answers,  ///< it counts work, which led to wrong answers
 };
 
 /// The name in JSON: "not_run". `no` has none there: the member is left out.

@@ -241,9 +241,8 @@ void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<An
             found.push_back({fmt::format("{}, which is {}", place, *other)});
     if (change && table.components == 1) found.push_back({"is " + change->words, change->tells});
     if (change && !place.empty()) found.push_back({fmt::format("{}, which is {}", place, change->words)});
-    if (are_nearly_right(table, wrong))
-        found.push_back(
-            {place.empty() ? nearly_right : fmt::format("{}, and {}", place, nearly_right), CommonTells::nearly});
+    if (const char* const nearly = nearly_right(table, wrong))
+        found.push_back({place.empty() ? nearly : fmt::format("{}, and {}", place, nearly), CommonTells::nearly});
     add_mostly_nearly_right(table, wrong, found);
     add_side(table, wrong, which, place, found);
     if (!place.empty()) found.push_back({place, CommonTells::place});

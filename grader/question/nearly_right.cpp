@@ -10,6 +10,7 @@ namespace umbral::grader {
 namespace {
 
 constexpr double little = 0.01;
+constexpr double in_rounding = 1e-5;
 
 bool is_whole(double x) { return x == std::round(x); }
 
@@ -22,13 +23,13 @@ std::size_t numbers_of_one_size(const AnswerTable& table)
     return table.components == 16 ? 4 : table.components == 9 ? 3 : 1;
 }
 
-bool is_nearly_right(const AnswerPair& one, std::size_t together)
+bool is_nearly_right(const AnswerPair& one, std::size_t together, double part = little)
 {
     if (one.yours.size() != one.expected.size()) return false;
     const std::span<const double> expected(one.expected);
     for (std::size_t i = 0; i < expected.size(); ++i) {
         const std::size_t first = i - i % together;
-        const double most = little * size_of(expected.subspan(first, std::min(together, expected.size() - first)));
+        const double most = part * size_of(expected.subspan(first, std::min(together, expected.size() - first)));
         if (!(std::abs(one.yours[i] - expected[i]) <= most)) return false;
     }
     return true;
@@ -43,19 +44,20 @@ bool differ_in_whole_ones(const AnswerPair& one)
 }
 
 /// How many are so; none where all that differs is whole.
-std::size_t nearly_right_in(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
+std::size_t nearly_right_in(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong, double part = little)
 {
     if (std::ranges::all_of(wrong, [](const AnswerPair* one) { return differ_in_whole_ones(*one); })) return 0;
     const std::size_t together = numbers_of_one_size(table);
     return static_cast<std::size_t>(
-        std::ranges::count_if(wrong, [&](const AnswerPair* one) { return is_nearly_right(*one, together); }));
+        std::ranges::count_if(wrong, [&](const AnswerPair* one) { return is_nearly_right(*one, together, part); }));
 }
 
 }
 
-bool are_nearly_right(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
+const char* nearly_right(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
 {
-    return !wrong.empty() && nearly_right_in(table, wrong) == wrong.size();
+    if (wrong.empty() || nearly_right_in(table, wrong) != wrong.size()) return nullptr;
+    return nearly_right_in(table, wrong, in_rounding) == wrong.size() ? right_but_for_rounding : roughly_right;
 }
 
 bool are_mostly_nearly_right(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)

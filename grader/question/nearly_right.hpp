@@ -6,10 +6,15 @@
 
 namespace umbral::grader {
 
-/// What is said of answers whose first digits are right, in words that follow "every wrong answer".
-inline constexpr const char* nearly_right =
-    "is nearly right: perhaps a number is rounded on the way (float, a constant of few digits), nearly equal ones are "
-    "subtracted, or a little is added";
+/// What is said of answers whose first five digits are right, in words that follow "every wrong answer".
+inline constexpr const char* right_but_for_rounding =
+    "is nearly right, to five digits or more: perhaps a number is rounded on the way (float, a constant of few "
+    "digits), nearly equal ones are subtracted, or a little is added";
+
+/// The same of answers of which fewer are right: rounding once to float does not do that.
+inline constexpr const char* roughly_right =
+    "is nearly right, and off by more than rounding to float makes: perhaps something is approximated or ends early (a "
+    "search, a series), a constant has few digits, nearly equal numbers are subtracted, or a little is added";
 
 /// What is said where most wrong answers are so and some are far off, in words that follow "most wrong answers".
 inline constexpr const char* mostly_nearly_right =
@@ -18,8 +23,9 @@ inline constexpr const char* mostly_nearly_right =
 
 /// Are all these wrong answers the right ones but for little: a hundredth of the largest number of the vector, or of
 /// the matrix's column, and of each number itself in rows that hold different things? Of codes and counts, which are
-/// whole, none is nearly right. Answers must have as many numbers as the right ones, all finite.
-[[nodiscard]] bool are_nearly_right(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong);
+/// whole, none is nearly right. Answers must have as many numbers as the right ones, all finite. Then one of the two
+/// texts above; else null.
+[[nodiscard]] const char* nearly_right(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong);
 
 /// Are so at least two of three of them, eight or more? The others may be anything.
 [[nodiscard]] bool are_mostly_nearly_right(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong);

@@ -115,10 +115,17 @@ std::string band(const ClassResult& result, const std::vector<std::string>& tota
     for (std::size_t s = 0; s < result.submissions.size(); ++s)
         text += line_of(frame, shorten(paint.safe(result.submissions[s].id), frame.name, paint.ellipsis()), totals[s],
                         collect([&](const Column& column) { return cell_text(column.cells[s], frame.cell, paint); }));
+    // A total that lacks units to a fault of the grader's says too little.
     Millipoints sum = 0;
-    for (const SubmissionResult& submission : result.submissions) sum += submission.score;
+    Millipoints whole = 0;
+    for (const SubmissionResult& submission : result.submissions) {
+        if (std::ranges::find(submission.units, Verdict::grader_fault, &UnitResult::verdict) != submission.units.end())
+            continue;
+        sum += submission.score;
+        ++whole;
+    }
     text += rule;
-    text += line_of(frame, "mean", mean_text(sum, static_cast<Millipoints>(result.submissions.size())),
+    text += line_of(frame, "mean", mean_text(sum, whole),
                     collect([&](const Column& column) { return mean_text(column.sum, column.count) + "  "; }));
     return text;
 }

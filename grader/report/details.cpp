@@ -1,6 +1,7 @@
 #include "report/details.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -157,10 +158,17 @@ void add_rubric(Block& block, const UnitResult& unit)
 void add_others(Block& block, const UnitResult& unit, const std::vector<const CheckResult*>& failing,
                 const Paint& paint)
 {
-    std::string others;
+    std::vector<std::string> others;
+    std::vector<std::string> unmeasured;
     for (std::size_t i = 1; i < failing.size(); ++i)
-        if (!failing[i]->held_back) others += fmt::format("{}{}", others.empty() ? "" : ", ", failing[i]->name);
-    if (!others.empty()) block.sentence("also", others + " not right yet");
+        if (!failing[i]->held_back)
+            (failing[i]->unjudged == Unjudged::wrong_answers ? unmeasured : others).push_back(failing[i]->name);
+    std::string also;
+    if (!others.empty()) also = fmt::format("{} not right yet", fmt::join(others, ", "));
+    if (!unmeasured.empty())
+        also += fmt::format("{}{} not measured while answers are wrong", also.empty() ? "" : "; ",
+                            fmt::join(unmeasured, ", "));
+    if (!also.empty()) block.sentence("also", also);
     std::vector<const CheckResult*> hidden;
     for (const CheckResult& check : unit.checks)
         if (check.hidden && fails(check)) hidden.push_back(&check);

@@ -28,7 +28,8 @@ namespace umbral::grader {
 /// behind what is not; and from exact to vague.
 [[nodiscard]] inline auto failing_order(const CheckResult* check)
 {
-    const bool waits = check->unjudged == Unjudged::unwritten || check->unjudged == Unjudged::not_run;
+    const bool waits = check->unjudged == Unjudged::unwritten || check->unjudged == Unjudged::not_run ||
+                       check->unjudged == Unjudged::wrong_answers;
     constexpr int first_vague = 2;  // JudgeRecord::place
     const int place = judge_of(*check).place;
     const int length = length_of_question(*check);

@@ -43,9 +43,18 @@ Line parse(const std::string& text, const std::string& where)
     return line;
 }
 
+/// The file, if it is one: a pipe that somebody put there would be waited for.
+std::ifstream opened(const fs::path& file)
+{
+    std::error_code none;
+    return fs::is_regular_file(fs::symlink_status(file, none)) ? std::ifstream(file, std::ios::binary)
+                                                               : std::ifstream();
+}
+
 /// The line of an open file, if the file has the size that it says.
 std::optional<Line> read_line(std::ifstream& stream, const fs::path& file)
 {
+    if (!stream.is_open()) return std::nullopt;
     try {
         std::string text;
         if (!std::getline(stream, text) || stream.eof()) return std::nullopt;
@@ -76,16 +85,16 @@ void keep_unit(const fs::path& file, const KeptUnit& unit, const UnitSections& s
 
 std::optional<KeptUnit> kept_unit(const fs::path& file)
 {
-    std::ifstream stream(file, std::ios::binary);
-    std::optional<Line> line = stream ? read_line(stream, file) : std::nullopt;
+    std::ifstream stream = opened(file);
+    std::optional<Line> line = read_line(stream, file);
     if (!line) return std::nullopt;
     return std::move(line->unit);
 }
 
 std::optional<UnitSections> kept_sections(const fs::path& file)
 {
-    std::ifstream stream(file, std::ios::binary);
-    const std::optional<Line> line = stream ? read_line(stream, file) : std::nullopt;
+    std::ifstream stream = opened(file);
+    const std::optional<Line> line = read_line(stream, file);
     if (!line) return std::nullopt;
     std::string body(line->student + line->instructor, '\0');
     if (!stream.read(body.data(), static_cast<std::streamsize>(body.size())) ||

@@ -31,9 +31,17 @@ fs::path file_of(const fs::path& folder, const std::string& unit_id, const char*
     return folder / units_name / (name + suffix);
 }
 
+/// Is this a folder, and no link to one? What lies in that is not Umbral's.
+bool is_own_folder(const fs::path& folder) noexcept
+{
+    std::error_code none;
+    return fs::is_directory(fs::symlink_status(folder, none));
+}
+
 std::vector<fs::path> files_of_units(const fs::path& folder)
 {
     std::vector<fs::path> files;
+    if (!is_own_folder(folder / units_name)) return files;
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(folder / units_name, none))
         if (const fs::path suffix = entry.path().extension(); suffix == unit_suffix || suffix == fault_suffix)
@@ -62,6 +70,12 @@ Mark open_report_folder(const fs::path& folder, const std::string& id)
     if (mark && mark->submission != id)
         throw RefusedFolder(fmt::format("{}: the reports of {} belong here, but the folder holds those of {}",
                                         folder.string(), id, mark->submission));
+    for (const char* const below : {units_name, pictures_name})
+        if (std::error_code none;
+            fs::exists(fs::symlink_status(folder / below, none)) && !is_own_folder(folder / below))
+            throw RefusedFolder(fmt::format(
+                "{}: a folder with parts of the reports of {} belongs here, but it is a link or a file; remove it",
+                (folder / below).string(), id));
     if (!mark) mark.emplace().submission = id;
     return *std::move(mark);
 }
@@ -99,17 +113,19 @@ void forget_units(const fs::path& folder)
 
 void tidy_temporaries(const fs::path& folder) noexcept
 {
-    for (const char* const below : {"", units_name, pictures_name}) remove_temporaries(folder / below);
+    for (const char* const below : {"", units_name, pictures_name})
+        if (is_own_folder(folder / below)) remove_temporaries(folder / below);
 }
 
 void remove_pictures_but(const fs::path& folder, const std::vector<std::string>& pictures) noexcept
 {
     try {
         const fs::path all = folder / pictures_name;
-        if (!fs::exists(all)) return;
+        if (!is_own_folder(all)) return;
         for (const auto& entry : fs::directory_iterator(all))
-            if (std::ranges::find(pictures, (fs::path(pictures_name) / entry.path().filename()).string()) ==
-                pictures.end())
+            if (!fs::is_directory(entry.symlink_status()) &&
+                std::ranges::find(pictures, (fs::path(pictures_name) / entry.path().filename()).string()) ==
+                    pictures.end())
                 fs::remove(entry.path());
         if (fs::is_empty(all)) fs::remove(all);
     } catch (const std::exception&) {  // a picture too many disturbs nobody

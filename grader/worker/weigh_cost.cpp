@@ -108,8 +108,13 @@ Cost costs(const Check& check, const RunOutcome& reference, const std::string& n
     return *std::move(cost);
 }
 
-std::optional<std::string> objection_to(Worker& worker, const Exercise& exercise, const Check& check,
-                                        const Built& built, const CaseResult& one)
+struct Objection {
+    std::string words;
+    bool to_answers = false;  ///< and not to the work
+};
+
+std::optional<Objection> objection_to(Worker& worker, const Exercise& exercise, const Check& check, const Built& built,
+                                      const CaseResult& one)
 {
     const RunOutcome& reference = worker.trusted(exercise, Answers::reference, check.case_name, one.seed);
     const Cost cost = costs(check, reference, check.value);
@@ -118,9 +123,11 @@ std::optional<std::string> objection_to(Worker& worker, const Exercise& exercise
     std::vector<double> sizes;
     for (const CostRow& row : cost) sizes.push_back(row.size);
     if (const auto wrong = wrong_answer(check, one.student, reference))
-        return fmt::format(
-            "the answer for the size {} is not right{}: work that leads to no right answer earns nothing",
-            count_text(sizes[std::min(wrong->row, sizes.size() - 1)]), wrong->number ? words_of(*wrong->number) : "");
+        return Objection{
+            fmt::format("the answer for the size {} is not right{}: work that leads to no right answer earns nothing",
+                        count_text(sizes[std::min(wrong->row, sizes.size() - 1)]),
+                        wrong->number ? words_of(*wrong->number) : ""),
+            true};
     if (!is_worth_measuring(milliseconds_of(one.student), milliseconds_of(reference))) return std::nullopt;
     // What ran beside may have cost one side more than the other: who loses points was too slow twice.
     const std::string_view names = text_of(expected_of(check, reference).names);
@@ -129,8 +136,10 @@ std::optional<std::string> objection_to(Worker& worker, const Exercise& exercise
     SpareTime time;
     time.allow(std::min(exercise.limits.wall_seconds, worker.budget().left()));
     auto objection = measured_objection(worker, exercise, check, built, one.seed, sizes, names, time);
-    if (!objection || !time.is_left()) return objection;
-    return measured_objection(worker, exercise, check, built, one.seed, sizes, names, time);
+    if (objection && time.is_left())
+        objection = measured_objection(worker, exercise, check, built, one.seed, sizes, names, time);
+    if (!objection) return std::nullopt;
+    return Objection{*std::move(objection)};
 }
 
 }
@@ -146,7 +155,8 @@ void weigh_costs(Worker& worker, const Exercise& exercise, const Built& built, c
         if (!objection) continue;
         earned.score = 0;
         earned.metrics["right"] = 0;
-        earned.message = *std::move(objection);
+        earned.message = std::move(objection->words);
+        if (objection->to_answers) earned.unjudged = Unjudged::wrong_answers;
     }
 }
 

@@ -197,6 +197,27 @@ TEST_F(ClassFolders, a_roster_decides)
     EXPECT_EQ(result.ignored[0], (Ignored{"absent", "line 4 of the roster: there is no such folder"}));
 }
 
+// As spreadsheets write it where numbers have commas.
+TEST_F(ClassFolders, a_roster_may_have_semicolons)
+{
+    make("García, Ana");
+    const ClassFolder result = with_roster("folder;id;name\r\nGarcía, Ana;s1;\"Ana; García\"\r\n");
+    ASSERT_EQ(result.submissions.size(), 1U);
+    EXPECT_EQ(result.submissions[0].id, "s1");
+    EXPECT_EQ(result.submissions[0].shown, "Ana; García");
+}
+
+// As Macs write it: the accent is a character of its own. Nobody becomes José by a folder that looks like his.
+TEST_F(ClassFolders, a_name_that_is_spelt_with_other_characters_is_pointed_out)
+{
+    make("Jose\u0301");
+    const ClassFolder result = with_roster("folder,id\nJosé,s1\n");
+    ASSERT_EQ(result.submissions.size(), 1U);
+    EXPECT_EQ(result.submissions[0].id, "Jose");
+    ASSERT_EQ(result.ignored.size(), 1U);
+    EXPECT_NE(result.ignored[0].reason.find("looks alike"), std::string::npos) << result.ignored[0].reason;
+}
+
 TEST_F(ClassFolders, a_folder_named_like_an_id_of_the_roster_gives_way)
 {
     for (const char* const name : {"a", "b", "b.zip"}) make(name);
@@ -253,7 +274,7 @@ TEST_F(ClassFolders, wrong_rosters_are_refused_with_the_line)
         {"folder,id\na,x\na,y\n", ":3: the folder 'a' stands in line 2 already"},
         {"folder,id\na,x\nb,x\n", ":3: the id 'x' stands in line 2 already"},
         {"folder,id\n\"a,x\n", ":2: the quote that begins here does not end"},
-        {"folder,id\n\"a\"b,x\n", ":2: expected a comma"},
+        {"folder,id\n\"a\"b,x\n", ":2: expected ',' or the end of the line"},
         {"folder,id\na\"b,x\n", ":2: a quote within a field"},
         {"folder,id\n\"x\ny\",ok\nq,b c\n", ":4: expected an id"},
     };

@@ -218,12 +218,28 @@ TEST_F(HostileFolder, nothing_pushes_out_what_lies_at_its_exact_place)
 
 TEST_F(HostileFolder, no_folder_at_all)
 {
-    EXPECT_EQ(read_submission(desk.folder() / "nowhere", {}, desk.tools()).notes.size(), 1U);
     desk.write("file.txt", "x");
     EXPECT_EQ(read_submission(desk.folder() / "file.txt", {}, desk.tools()).notes.size(), 1U);
     EXPECT_EQ(read_submission("/dev/zero", {}, desk.tools()).notes.size(), 1U);
     fs::create_symlink("loop.zip", desk.folder() / "loop.zip");
     EXPECT_EQ(read_submission(desk.folder() / "loop.zip", {}, desk.tools()).notes.size(), 1U);
+}
+
+// Somebody moved the class's folder while it was graded, or its disk is gone: no work is missing for that.
+TEST_F(HostileFolder, what_was_listed_and_is_gone_is_no_fault_of_the_students)
+{
+    EXPECT_THROW((void)read_submission(desk.folder() / "nowhere", {}, desk.tools()), std::system_error);
+    const Descriptor folder(open(desk.folder().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    EXPECT_THROW((void)read_file_below(folder.get(), "gone.cpp", 100), std::system_error);
+    EXPECT_THROW((void)list_folder_below(folder.get(), "gone", 100), std::system_error);
+    EXPECT_FALSE(lies_below(folder.get(), "gone/sphere.cpp"));
+}
+
+TEST_F(HostileFolder, errors_of_disks_and_networks_are_the_machines)
+{
+    for (const int error : {EIO, ESTALE, ENOTCONN, ETIMEDOUT, EMFILE, ENFILE, ENOMEM, ENOENT})
+        EXPECT_FALSE(may_be_made(error)) << error;
+    for (const int error : {EACCES, ELOOP, ENAMETOOLONG, ENXIO, ENOTDIR}) EXPECT_TRUE(may_be_made(error)) << error;
 }
 
 // That is the machine's trouble, and nobody's missing work.

@@ -30,6 +30,8 @@ TEST_F(UnsetValues, lose_points_and_are_told)
 {
     const std::vector<std::pair<std::string, std::string>> ways = {
         {"float sum; for (int i = 0; i < 4; ++i) sum += 0.25F;", "sum"},
+        {"float one; if (b > 0) one = 1;", "one"},
+        {"double one; switch (int(b) % 3) { case 0: one = 1; break; case 1: one = 1; }", "float(one)"},
         {"struct Factors { float one; bool set = false; } f; if (b > 0) f.one = 1;", "f.one"},
         {"struct Factors { Factors() {} float one; } f; if (b > 0) f.one = 1;", "f.one"},
         {"const auto make = [&] { struct Factors { Factors() {} float one; } f; if (b > 0) f.one = 1; return f; };",

@@ -75,7 +75,8 @@ TEST(ClassTable, shows_points_marks_totals_and_means)
     EXPECT_TRUE(has(row("bo"), "5 ◐"));
     EXPECT_TRUE(has(row("bo"), "·")) << "not graded is no zero";
     EXPECT_TRUE(has(row("cy"), "0 ?"));
-    EXPECT_TRUE(has(row("mean"), "7.5")) << "a grader's fault is no zero: " << row("mean");
+    EXPECT_TRUE(has(row("mean"), " 7.5 ")) << "a grader's fault is no zero, in no column: " << row("mean");
+    EXPECT_FALSE(has(row("mean"), " 5 ")) << row("mean");
 }
 
 TEST(ClassTable, numbers_units_that_have_no_room_and_names_them_below)

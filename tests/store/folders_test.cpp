@@ -155,6 +155,31 @@ TEST(ReportFolder, is_for_one_submission_of_ours)
         EXPECT_THROW((void)open_report_folder(folder / name, "ana"), RefusedFolder) << name;
 }
 
+// Whoever had the folder before may have left anything in it.
+TEST(ReportFolder, touches_nothing_behind_a_link)
+{
+    const TemporaryFolder folder;
+    set_mark(folder / "ana", open_report_folder(folder / "ana", "ana"));
+    for (const char* const name : {"pictures", "units"}) {
+        folder.write("mine/thesis.txt", "years of work");
+        folder.write("mine/sphere.unit", "no result");
+        folder.write("mine/a.json.tmp-1-0", "mine as well");
+        fs::create_directories(folder / "mine/empty");
+        fs::remove(folder / "ana" / name);
+        fs::create_directory_symlink(folder / "mine", folder / "ana" / name);
+        remove_pictures_but(folder / "ana", {});
+        tidy_temporaries(folder / "ana");
+        EXPECT_TRUE(kept_units(folder / "ana").empty());
+        forget_units(folder / "ana");
+        const std::string refusal = message_of([&] { (void)open_report_folder(folder / "ana", "ana"); });
+        EXPECT_TRUE(has(refusal, name) && has(refusal, "it is a link or a file")) << refusal;
+        for (const char* const mine : {"thesis.txt", "sphere.unit", "a.json.tmp-1-0", "empty"})
+            EXPECT_TRUE(fs::exists(folder / "mine" / mine)) << mine;
+        fs::remove(folder / "ana" / name);
+    }
+    EXPECT_NO_THROW((void)open_report_folder(folder / "ana", "ana"));
+}
+
 TEST(ReportFolder, knows_its_units_and_sweeps_its_pictures)
 {
     const TemporaryFolder folder;

@@ -1,6 +1,7 @@
 #include "store/kept_unit.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
 #include <random>
@@ -37,6 +38,15 @@ TEST(KeptUnit, comes_back_with_its_sections)
     EXPECT_EQ(folder.count(), 1) << "no temporary file is left";
     EXPECT_FALSE(kept_unit(folder / "none.unit"));
     EXPECT_FALSE(kept_sections(folder / "none.unit"));
+}
+
+// Opening it would wait for somebody who writes.
+TEST(KeptUnit, a_pipe_is_not_there)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(mkfifo((folder / "sphere.unit").c_str(), 0600), 0);
+    EXPECT_FALSE(kept_unit(folder / "sphere.unit"));
+    EXPECT_FALSE(kept_sections(folder / "sphere.unit"));
 }
 
 TEST(KeptUnit, damaged_files_are_not_there)
