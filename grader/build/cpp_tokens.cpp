@@ -143,7 +143,7 @@ CppToken CppTokens::take_string(std::size_t prefix)
 
 CppToken CppTokens::take_raw_string(std::size_t prefix)
 {
-    const std::size_t parenthesis = text_.find('(', prefix);
+    const std::size_t parenthesis = text_.substr(0, prefix + 18).find('(', prefix);
     // The mark between quote and parenthesis has at most 16 characters.
     if (parenthesis == std::string_view::npos || parenthesis > prefix + 17) return take_string(prefix);
     const std::string closing = fmt::format("){}\"", text_.substr(prefix + 1, parenthesis - prefix - 1));

@@ -49,13 +49,18 @@ constexpr std::array<std::string_view, 5> linkers_own{"_GLOBAL_OFFSET_TABLE_", "
 
 constexpr const char* left_unfilled = "variables may not be left unfilled";
 
+/// Options with which g++ leaves variables unfilled, some or all.
+constexpr std::array<std::string_view, 5> unfilling{"auto-var-init", "tree-fre", "tree-sra", "lifetime-dse",
+                                                    "elide-constructors"};
+
 /// Does a text for the optimiser, of an attribute or a pragma, leave variables unfilled? What is spelt with escapes
 /// may.
 bool unfills(std::string_view options)
 {
     std::string plain(options);
     std::erase_if(plain, [](char c) { return c == '"' || c == ' ' || c == '\t'; });
-    return plain.find("auto-var-init") != plain.npos || plain.find('\\') != plain.npos;
+    return plain.find('\\') != plain.npos ||
+           std::ranges::any_of(unfilling, [&](std::string_view option) { return plain.find(option) != plain.npos; });
 }
 
 /// What the strings in a line say, one behind the other, raw ones too; and the line as it is.
@@ -176,6 +181,12 @@ private:
         if (label && contains(linkers_own, text)) object_to_table(text);
     }
 
+    void check_attribute_text(std::string_view attribute, const std::string& text)
+    {
+        if (contains(linkers_own, text)) return object_to_table(text);
+        if (attribute == "optimize" && unfills(text)) object(left_unfilled);
+    }
+
     /// Everything up to the bracket that closes what is open.
     void check_attributes(std::string_view open, std::string_view close)
     {
@@ -190,17 +201,18 @@ private:
                 return object(fmt::format("the attribute {} is not allowed", bare(current_.text)));
             if (current_.kind == Kind::name && contains(asm_words, current_.text))
                 return object("assembler is not allowed");
-            if (current_.kind == Kind::name) named = bare(current_.text);
-            if (current_.kind == Kind::string)
+            if (current_.kind == Kind::string) {
                 text += current_.content();
-            else if (current_.kind != Kind::directive)
+                if (contains(naming_attributes, named) && !is_plain_name(current_.content()))
+                    return object(fmt::format("the attribute {} takes a plain name", named));
+            } else if (current_.kind != Kind::directive) {
+                // Looked at once, when it is whole: there may be a million strings behind each other.
+                check_attribute_text(named, text);
                 text.clear();
-            if (contains(linkers_own, text)) return object_to_table(text);
-            if (named == "optimize" && unfills(text)) return object(left_unfilled);
-            if (current_.kind == Kind::string && contains(naming_attributes, named) &&
-                !is_plain_name(current_.content()))
-                return object(fmt::format("the attribute {} takes a plain name", named));
+            }
+            if (current_.kind == Kind::name) named = bare(current_.text);
         }
+        if (!found_) check_attribute_text(named, text);
         if (!found_) advance();
     }
 

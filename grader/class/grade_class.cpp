@@ -35,7 +35,7 @@ ClassFolder find_class(const ClassOptions& options)
 {
     try {
         expect_distinct(options.submissions, options.out);
-        ClassFolder found = class_folder(options.submissions, options.roster);
+        ClassFolder found = class_folder(options.submissions, options.roster, ids_by_source(options.out));
         if (found.submissions.empty())
             throw std::runtime_error(fmt::format("{}: no submission in it; expected one folder or archive each",
                                                  options.submissions.string()));
@@ -99,7 +99,7 @@ void forget(const ReportsFolder& out, const std::string& id)
     if (!mark || mark->submission != id) return;
     mark->reports.clear();
     set_mark(folder, *mark);
-    forget_units(folder);
+    forget_results(folder);
 }
 
 class ClassWork {

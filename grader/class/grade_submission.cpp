@@ -99,7 +99,7 @@ Graded grade_submission(Crew& crew, const SubmissionPlan& plan, const Submission
 {
     const fs::path folder = plan.out.folder_of(submission.id);
     Mark mark = open_report_folder(folder, submission.id);
-    if (mark.grading != plan.plan.grading) forget_units(folder);
+    if (mark.grading != plan.plan.grading) forget_results(folder);
     mark.grading = plan.plan.grading;
     mark.shown = submission.shown == submission.id ? "" : submission.shown;
     mark.source = source_of(submission);
@@ -118,12 +118,17 @@ Graded grade_submission(Crew& crew, const SubmissionPlan& plan, const Submission
     std::vector<std::string> changes(parts.size());
     const SubmissionBudgets budgets = budgets_of_a_submission();
     std::mutex mutex;
+    std::set<std::string> old_pictures;
     crew.share_out(parts.size(), [&](Worker& worker, std::size_t i) {
         const Exercise& exercise = plan.exercises[i];
         const Handed handed = submitted ? collect(*submitted, exercise) : Handed{};
         const std::string key = submitted ? plan.keys.key(exercise, submission.id, handed) : "";
         std::optional<KeptUnit> before = kept_unit(unit_file(folder, exercise.id));
-        if (before && submitted && before->key == key)
+        if (before) {
+            const std::lock_guard lock(mutex);
+            old_pictures.merge(pictures_of(before->result));
+        }
+        if (before && submitted && before->key == key && is_whole(folder, exercise, before->result))
             if (auto sections = kept_sections(unit_file(folder, exercise.id))) {
                 fs::remove(fault_file(folder, exercise.id));
                 parts[i] = {*std::move(before), *std::move(sections)};
@@ -151,11 +156,9 @@ Graded grade_submission(Crew& crew, const SubmissionPlan& plan, const Submission
     write_reports(plan, folder, done.result, parts);
     mark.reports = reports_digest(plan, done.result);
     set_mark(folder, mark);
-    std::vector<std::string> pictures;
     for (const UnitResult& unit : done.result.units)
-        for (const CheckResult& check : unit.checks)
-            for (const auto& [what, path] : check.artefacts) pictures.push_back(path);
-    remove_pictures_but(folder, pictures);
+        for (const std::string& picture : pictures_of(unit)) old_pictures.erase(picture);
+    remove_pictures(folder, old_pictures);
     done.current = true;
     return done;
 }

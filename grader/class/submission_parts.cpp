@@ -7,6 +7,7 @@
 
 #include "model/caps.hpp"
 #include "model/digest.hpp"
+#include "report/formats.hpp"
 #include "store/report_folder.hpp"
 
 namespace umbral::grader {
@@ -26,6 +27,22 @@ std::optional<KeptUnit> shown_before(const fs::path& folder, const std::string& 
     return fault ? fault : kept_unit(unit_file(folder, unit));
 }
 
+/// Are all reports there, or has somebody deleted one?
+bool has_reports(const fs::path& folder, bool with_hidden)
+{
+    return std::ranges::all_of(submission_files(), [&](const auto& file) {
+        return (file.hidden_values && !with_hidden) || fs::exists(folder / file.name);
+    });
+}
+
+}
+
+bool is_whole(const fs::path& folder, const Exercise& exercise, const UnitResult& unit)
+{
+    return unit.max_score == exercise.points && std::ranges::all_of(pictures_of(unit), [&](const std::string& path) {
+               std::error_code none;
+               return fs::exists(folder / path, none);
+           });
 }
 
 std::string source_of(const SubmissionFolder& submission) { return one_line(submission.folder.filename().string()); }
@@ -105,7 +122,8 @@ Graded look_at(const SubmissionPlan& plan, const SubmissionFolder& submission)
         std::vector<Part> parts;
         for (const Exercise& exercise : plan.exercises)
             if (auto kept = kept_unit(unit_file(folder, exercise.id));
-                kept && kept->key == plan.keys.key(exercise, submission.id, collect(submitted, exercise)))
+                kept && is_whole(folder, exercise, kept->result) &&
+                kept->key == plan.keys.key(exercise, submission.id, collect(submitted, exercise)))
                 parts.push_back({*std::move(kept), {}});
         const std::size_t missing = plan.exercises.size() - parts.size();
         for (const std::string& unit : kept_units(folder))
@@ -114,8 +132,9 @@ Graded look_at(const SubmissionPlan& plan, const SubmissionFolder& submission)
         put_in_order(plan, parts);
         Graded seen = result_of(plan, submission.id, submission.shown, parts);
         seen.missing = missing;
-        seen.current =
-            missing == 0 && mark->grading == plan.plan.grading && mark->reports == reports_digest(plan, seen.result);
+        seen.current = missing == 0 && mark->grading == plan.plan.grading &&
+                       mark->reports == reports_digest(plan, seen.result) &&
+                       has_reports(folder, plan.plan.instructor_edition);
         return seen;
     } catch (const std::exception&) {  // grading it will meet the same, and tell it
         return nothing;
@@ -139,6 +158,21 @@ std::optional<Graded> results_of_earlier_run(const SubmissionPlan& plan, const s
     } catch (const std::exception&) {  // damaged: it has to be graded again
         return std::nullopt;
     }
+}
+
+std::set<std::string> pictures_of(const UnitResult& unit)
+{
+    std::set<std::string> pictures;
+    for (const CheckResult& check : unit.checks)
+        for (const auto& [what, path] : check.artefacts) pictures.insert(path);
+    return pictures;
+}
+
+void forget_results(const fs::path& folder)
+{
+    for (const std::string& unit : kept_units(folder))
+        if (const auto kept = kept_unit(unit_file(folder, unit))) remove_pictures(folder, pictures_of(kept->result));
+    forget_units(folder);
 }
 
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -72,5 +74,15 @@ void put_in_order(const SubmissionPlan& plan, std::vector<Part>& parts);
 
 /// Digest of all that a submission's reports show.
 [[nodiscard]] std::string reports_digest(const SubmissionPlan& plan, const SubmissionResult& result);
+
+/// The files beside the reports that a result refers to, by paths relative to the folder of the reports.
+[[nodiscard]] std::set<std::string> pictures_of(const UnitResult& unit);
+
+/// May a kept result stand as it is: is it of the unit's points, and are its pictures all there?
+[[nodiscard]] bool is_whole(const std::filesystem::path& folder, const Exercise& exercise, const UnitResult& unit);
+
+/// Removes what is kept of all units of a submission, with their pictures; the reports stay. Throws
+/// std::filesystem::filesystem_error.
+void forget_results(const std::filesystem::path& folder);
 
 }

@@ -2,6 +2,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <functional>
 #include <iterator>
@@ -161,6 +162,8 @@ ClassOptions options_of(const Application& application, const GradeCommand& comm
 
 void grade_and_print(Application& application, const GradeCommand& command)
 {
+    // `umbral grade … | head` has read enough, and the class is still to be graded to its end.
+    (void)std::signal(SIGPIPE, SIG_IGN);
     expect_folder(command.submissions, "a folder with one folder a submission");
     try {
         expect_distinct(command.submissions, command.out);

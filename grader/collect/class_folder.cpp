@@ -36,6 +36,7 @@ struct Entry {
     std::string id;
     std::string shown;
     bool listed = false;  ///< in the roster
+    bool known = false;   ///< by the id that it had when it was graded before
 };
 
 std::vector<Entry> entries_of(const fs::path& path, ClassFolder& result)
@@ -120,12 +121,30 @@ void apply_roster(const std::vector<RosterEntry>& roster, const std::string& whe
 
 bool is_own_id(const Entry& entry) { return is_submission_id(entry.stem) && !is_reserved_id(entry.stem); }
 
-/// Gives an id to everybody whom the roster does not list.
+/// Gives those whom the roster does not list the ids that they had before, as far as it gives these to nobody: what
+/// others hand in later takes nobody's id.
+void give_known_ids(const std::map<std::string, std::string>& known, std::vector<Entry>& entries)
+{
+    for (Entry& entry : entries) {
+        // Marks hold names that were made printable, which several may have become.
+        const auto before = one_line(entry.name) == entry.name ? known.find(entry.name) : known.end();
+        if (entry.listed || before == known.end() || !is_submission_id(before->second)) continue;
+        const auto has_it = [&](const Entry& other) {
+            return (other.listed || other.known) && other.id == before->second;
+        };
+        if (std::ranges::any_of(entries, has_it)) continue;
+        entry.id = before->second;
+        entry.known = true;
+    }
+}
+
+/// Gives an id to everybody who has none by the roster, nor by what was graded before.
 void give_ids(std::vector<Entry>& entries)
 {
+    const auto is_given = [](const Entry& entry) { return entry.listed || entry.known; };
     std::map<std::string, int> wanted;
     for (Entry& entry : entries) {
-        if (entry.listed) continue;
+        if (is_given(entry)) continue;
         entry.id = is_own_id(entry) ? entry.stem : derived_id(entry.stem);
         if (entry.id.empty()) entry.id = "submission-" + short_hash(entry.name);
     }
@@ -133,12 +152,12 @@ void give_ids(std::vector<Entry>& entries)
     // What the roster gives is the instructor's word: a folder whose name is somebody else's id gives way, so that
     // nobody's name can keep a class from being graded. Else a folder keeps its plain name whoever would like it; of
     // the others each gets its hash, so that no order matters.
-    std::set<std::string> listed;
+    std::set<std::string> given;
     for (const Entry& entry : entries)
-        if (entry.listed) listed.insert(entry.id);
-    std::set<std::string> taken = listed;
+        if (is_given(entry)) given.insert(entry.id);
+    std::set<std::string> taken = given;
     const auto keeps = [&](const Entry& entry) {
-        return entry.listed || (is_own_id(entry) && entry.name == entry.stem && !listed.contains(entry.id));
+        return is_given(entry) || (is_own_id(entry) && entry.name == entry.stem && !given.contains(entry.id));
     };
     for (const Entry& entry : entries)
         if (keeps(entry)) taken.insert(entry.id);
@@ -152,12 +171,13 @@ void give_ids(std::vector<Entry>& entries)
 
 }
 
-ClassFolder class_folder(const fs::path& path, const fs::path& roster)
+ClassFolder class_folder(const fs::path& path, const fs::path& roster, const std::map<std::string, std::string>& known)
 {
     ClassFolder result;
     std::vector<Entry> entries = entries_of(path, result);
     if (!roster.empty())
         apply_roster(parse_roster(read_text(roster), roster.string()), roster.string(), entries, result);
+    give_known_ids(known, entries);
     give_ids(entries);
     for (const Entry& entry : entries) result.submissions.push_back({entry.id, path / entry.name, entry.shown});
     std::ranges::sort(result.submissions, {}, &SubmissionFolder::id);

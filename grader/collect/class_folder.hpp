@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,10 +27,12 @@ struct ClassFolder {
 /// hash where two would be the same. `roster` is empty, or a CSV file (UTF-8; quoted fields as spreadsheets write them)
 /// with the columns folder,id or folder,id,name, which decides the ids of the folders that it lists, whatever others
 /// are named (a folder that is named like another's id gets its hash); an archive is listed by its whole name or,
-/// if no other has the same without its suffix, without it. Throws std::runtime_error, with the line where there is
+/// if no other has the same without its suffix, without it. `known` are the ids that folders and archives have had
+/// before, by their names, which they keep in the same way. Throws std::runtime_error, with the line where there is
 /// one, if `path` cannot be read or the roster is wrong: an id that is none or that two folders would have, a folder
 /// listed twice. A listed folder that is not there, and a name that several archives have without suffix, are reported
 /// in `ignored`. No submission at all is no error here.
-[[nodiscard]] ClassFolder class_folder(const std::filesystem::path& path, const std::filesystem::path& roster = {});
+[[nodiscard]] ClassFolder class_folder(const std::filesystem::path& path, const std::filesystem::path& roster = {},
+                                       const std::map<std::string, std::string>& known = {});
 
 }

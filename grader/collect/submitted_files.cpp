@@ -41,7 +41,8 @@ public:
             return ignore(path, "the submission holds too much source code");
         }
         bytes_ += bytes.size();
-        result_.files.emplace(path, as_utf8(std::move(bytes)));
+        // Of two in one archive the later one counts, as for whoever unpacks it.
+        result_.files.insert_or_assign(path, as_utf8(std::move(bytes)));
     }
 
     /// Is there no room for another file, or may no more archives be opened?

@@ -134,6 +134,8 @@ std::string print_entries(archive* reader)
         }
         if (!budget.take(&Budget::entries, 1)) return "it has too many entries; the rest is not read";
         const std::string path = path_of(entry);
+        if (path.empty() && archive_entry_filetype(entry) == AE_IFREG && budget.take(&Budget::ignored, 1))
+            print("ignored", "?", "its name cannot be read: rename the file and pack it again");
         const FileKind kind = kind_of(last_part(path));
         const bool of_worth = (is_code(kind) || kind == FileKind::archive) && !is_too_long(path) && !has_junk(path);
         if (of_worth && archive_entry_filetype(entry) != AE_IFDIR) {

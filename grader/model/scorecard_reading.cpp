@@ -15,7 +15,10 @@ constexpr double largest = std::numeric_limits<double>::max();
 
 std::string text(const Field& field) { return field.any_text(most_bytes); }
 
-Millipoints points(const Field& field) { return field.integer(0, std::numeric_limits<int>::max()); }
+Millipoints points(const Field& field, Millipoints most = std::numeric_limits<int>::max())
+{
+    return field.integer(0, static_cast<int>(most));
+}
 
 double number_or_nan(const Field& field)
 {
@@ -95,8 +98,8 @@ CheckResult check(const Field& field)
     result.hidden = field.member("hidden").boolean();
     if (const Field kept = field.member("unjudged"); kept.given())
         result.unjudged = named(kept, unjudged_from, "what kept a check from being judged");
-    result.score = points(field.member("score"));
     result.max_score = points(field.member("max_score"));
+    result.score = points(field.member("score"), result.max_score);
     result.error = number_if_any(field.member("error"));
     result.reference_error = number_if_any(field.member("reference_error"));
     result.message = text(field.member("message"));
@@ -140,7 +143,8 @@ Explanation explanation(const Field& field)
 RubricScore rubric_score(const Field& field)
 {
     field.allow_only({"words", "score", "max_score"});
-    return {text(field.member("words")), points(field.member("score")), points(field.member("max_score"))};
+    const Millipoints most = points(field.member("max_score"));
+    return {text(field.member("words")), points(field.member("score"), most), most};
 }
 
 }
@@ -154,8 +158,8 @@ UnitResult unit_result_from_json(const nlohmann::json& json, const std::string& 
     result.id = text(field.member("id"));
     result.digest = text(field.member("digest"));
     result.verdict = named(field.member("verdict"), verdict_from, "the name of a verdict");
-    result.score = points(field.member("score"));
     result.max_score = points(field.member("max_score"));
+    result.score = points(field.member("score"), result.max_score);
     result.seconds = number_or_nan(field.member("seconds"));
     result.reference_seconds = number_or_nan(field.member("reference_seconds"));
     for (const Field& one : field.member("checks").items(0, most_items)) result.checks.push_back(check(one));

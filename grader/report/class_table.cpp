@@ -58,7 +58,8 @@ std::vector<Column> columns_of(const ClassResult& result)
 
 std::string mean_text(Millipoints sum, Millipoints count)
 {
-    return count == 0 ? "-" : points_text((sum + count / 2) / count / 10 * 10);
+    // To hundredths of a point.
+    return count == 0 ? "-" : points_text((sum + 5 * count) / (10 * count) * 10);
 }
 
 std::string short_name(const std::string& id)

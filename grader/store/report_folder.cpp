@@ -117,16 +117,17 @@ void tidy_temporaries(const fs::path& folder) noexcept
         if (is_own_folder(folder / below)) remove_temporaries(folder / below);
 }
 
-void remove_pictures_but(const fs::path& folder, const std::vector<std::string>& pictures) noexcept
+void remove_pictures(const fs::path& folder, const std::set<std::string>& pictures) noexcept
 {
     try {
         const fs::path all = folder / pictures_name;
         if (!is_own_folder(all)) return;
-        for (const auto& entry : fs::directory_iterator(all))
-            if (!fs::is_directory(entry.symlink_status()) &&
-                std::ranges::find(pictures, (fs::path(pictures_name) / entry.path().filename()).string()) ==
-                    pictures.end())
-                fs::remove(entry.path());
+        for (const fs::path picture : pictures) {
+            // Whoever had the folder may have changed the results that name them.
+            const fs::path file = all / picture.filename();
+            if (picture.parent_path() == pictures_name && fs::is_regular_file(fs::symlink_status(file)))
+                fs::remove(file);
+        }
         if (fs::is_empty(all)) fs::remove(all);
     } catch (const std::exception&) {  // a picture too many disturbs nobody
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,8 @@ void forget_units(const std::filesystem::path& folder);
 
 /// Removes temporary files of a killed run. Never throws.
 void tidy_temporaries(const std::filesystem::path& folder) noexcept;
-/// Removes pictures that are not among these, which are named by paths relative to the folder. Never throws.
-void remove_pictures_but(const std::filesystem::path& folder, const std::vector<std::string>& pictures) noexcept;
+/// Removes these pictures, which are named by paths relative to the folder ("pictures/sphere.png"), and nothing else
+/// that lies there. Never throws.
+void remove_pictures(const std::filesystem::path& folder, const std::set<std::string>& pictures) noexcept;
 
 }

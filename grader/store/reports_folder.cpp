@@ -33,6 +33,22 @@ void lock(const Descriptor& mark, const fs::path& folder)
         folder.string()));
 }
 
+/// The marks of the submissions that have reports there, by their ids.
+std::map<std::string, Mark> marks_in(const fs::path& folder)
+{
+    std::map<std::string, Mark> marks;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        try {
+            if (!fs::is_directory(entry.symlink_status())) continue;
+            if (std::optional<Mark> mark = read_mark(entry.path()); mark && mark->submission == name)
+                marks.emplace(name, *std::move(mark));
+        } catch (const std::exception&) {  // not ours, then
+        }
+    }
+    return marks;
+}
+
 bool is_still(const Descriptor& mark, const fs::path& file)
 {
     struct stat open {};
@@ -104,16 +120,18 @@ void ReportsFolder::set_grading(const Grading& grading)
 std::vector<std::string> ReportsFolder::submissions() const
 {
     std::vector<std::string> ids;
-    for (const auto& entry : fs::directory_iterator(path_)) {
-        const std::string name = entry.path().filename().string();
-        try {
-            if (!fs::is_directory(entry.symlink_status())) continue;
-            if (const std::optional<Mark> mark = read_mark(entry.path()); mark && mark->submission == name)
-                ids.push_back(name);
-        } catch (const std::exception&) {  // not ours, then
-        }
+    for (const auto& [id, mark] : marks_in(path_)) ids.push_back(id);
+    return ids;
+}
+
+std::map<std::string, std::string> ids_by_source(const fs::path& out)
+{
+    std::map<std::string, std::string> ids;
+    try {
+        for (const auto& [id, mark] : marks_in(out))
+            if (!mark.source.empty()) ids.emplace(mark.source, id);
+    } catch (const fs::filesystem_error&) {  // a new folder, or none of ours: whoever opens it says so
     }
-    std::ranges::sort(ids);
     return ids;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,5 +43,9 @@ private:
     Grading grading_;
     Descriptor lock_;
 };
+
+/// Of the submissions whose reports lie in `out`: the folder or archive that was graded (Mark::source), and the id that
+/// it had. Empty if nothing can be read there.
+[[nodiscard]] std::map<std::string, std::string> ids_by_source(const std::filesystem::path& out);
 
 }

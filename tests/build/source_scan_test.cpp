@@ -120,7 +120,8 @@ TEST(Assembler, nor_may_variables_be_left_unfilled)
           "#pragma GCC optimize (\"trivial-auto\" \"-var-init=uninitialized\")",
           "#pragma GCC optimize (\"trivial\\x2d"
           "auto\")",
-          "#pragma GCC optimize \"O2\", \"trivial-auto-var-init=zero\"",
+          "#pragma GCC optimize \"O2\", \"trivial-auto-var-init=zero\"", "#pragma GCC optimize (\"O2,tree-fre\")",
+          "[[gnu::optimize(\"tree-\" \"sra\")]] void f();",
           "#pragma GCC optimize(\"trivial-auto-v\" R\"(ar-init=uninitialized)\")",
           "#pragma GCC optimize(u8\"trivial-auto-v\" u8R\"x(ar-init=uninitialized)x\")",
           "__attribute__((optimize(\"trivial-auto-var-init=uninitialized\"))) void f();",
@@ -130,6 +131,18 @@ TEST(Assembler, nor_may_variables_be_left_unfilled)
          {"int uninitialized = 0;", "__attribute__((optimize(\"O3\", \"fast-math\"))) void f();",
           "#pragma GCC optimize (\"O3,unroll-loops\")", "#pragma GCC optimize 3"})
         EXPECT_FALSE(find_assembler(text, header)) << text;
+}
+
+// As macros make them of a file of two KiB.
+TEST(Assembler, texts_of_a_million_strings_are_read_once)
+{
+    std::string text = "[[gnu::optimize(";
+    for (int i = 0; i < 1'000'000; ++i) text += "\"a\" ";
+    EXPECT_FALSE(find_assembler(text + ")]] void f();", header));
+    EXPECT_TRUE(find_assembler(text + "\"auto-var\" \"-init\")]] void f();", header));
+    text.clear();
+    for (int i = 0; i < 200'000; ++i) text += "R\"a\" ";
+    EXPECT_FALSE(find_assembler(text, header));
 }
 
 TEST(Assembler, ordinary_code_is_allowed)

@@ -65,6 +65,22 @@ TEST_F(Archives, names_beyond_ascii_come_as_they_are)
     EXPECT_EQ(unpacked(write_archive("ustar", "none", {{"caf\xe9.cpp", "x"}})).files, (Files{{"caf\xe9.cpp", "x"}}));
 }
 
+// As some programs on Windows write it: said to be UTF-8, and in another encoding.
+TEST_F(Archives, a_name_that_cannot_be_read_is_told)
+{
+    std::string zip = write_archive("zip", "none", {{"Práctica.cpp", "x"}});
+    for (std::size_t at = zip.find("á"); at != std::string::npos; at = zip.find("á")) zip.replace(at, 2, "\xE1z");
+    const Unpacked result = unpacked(zip);
+    EXPECT_TRUE(result.files.empty() || result.files.front().first == "Pr\xE1zctica.cpp");
+    EXPECT_EQ(result.files.size() + result.ignored.size(), 1U);
+}
+
+TEST_F(Archives, of_two_files_of_one_path_the_later_one_counts)
+{
+    desk.write("ana.tar", write_archive("ustar", "none", {{"sphere.cpp", "old"}, {"sphere.cpp", "new"}}));
+    EXPECT_EQ(desk.collected().files.at("sphere.cpp"), "new");
+}
+
 TEST_F(Archives, what_is_no_source_code_stays_inside)
 {
     const Unpacked result = unpacked(write_archive("zip", "none",

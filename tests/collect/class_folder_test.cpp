@@ -218,6 +218,25 @@ TEST_F(ClassFolders, a_name_that_is_spelt_with_other_characters_is_pointed_out)
     EXPECT_NE(result.ignored[0].reason.find("looks alike"), std::string::npos) << result.ignored[0].reason;
 }
 
+// José was graded as Jose. Whoever hands in a folder of that name later does not become him, nor makes him another.
+TEST_F(ClassFolders, ids_of_an_earlier_grading_stay_with_their_folders)
+{
+    const auto ids = [&](const std::map<std::string, std::string>& known) {
+        std::map<std::string, std::string> found;
+        for (const SubmissionFolder& one : class_folder(folder / "class", {}, known).submissions)
+            found[one.folder.filename().string()] = one.id;
+        return found;
+    };
+    make("José");
+    EXPECT_EQ(ids({}).at("José"), "Jose");
+    make("Jose");
+    EXPECT_EQ(ids({}).at("Jose"), "Jose");
+    const auto later = ids({{"José", "Jose"}});
+    EXPECT_EQ(later.at("José"), "Jose");
+    EXPECT_NE(later.at("Jose"), "Jose");
+    EXPECT_EQ(ids({{"José", "../out"}}).at("Jose"), "Jose") << "whatever lies in the folder of reports";
+}
+
 TEST_F(ClassFolders, a_folder_named_like_an_id_of_the_roster_gives_way)
 {
     for (const char* const name : {"a", "b", "b.zip"}) make(name);

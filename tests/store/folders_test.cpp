@@ -167,7 +167,7 @@ TEST(ReportFolder, touches_nothing_behind_a_link)
         fs::create_directories(folder / "mine/empty");
         fs::remove(folder / "ana" / name);
         fs::create_directory_symlink(folder / "mine", folder / "ana" / name);
-        remove_pictures_but(folder / "ana", {});
+        remove_pictures(folder / "ana", {"pictures/thesis.txt", "pictures/../../mine/thesis.txt"});
         tidy_temporaries(folder / "ana");
         EXPECT_TRUE(kept_units(folder / "ana").empty());
         forget_units(folder / "ana");
@@ -191,16 +191,18 @@ TEST(ReportFolder, knows_its_units_and_sweeps_its_pictures)
                              "units/a_b.unit.tmp-5-0", "report.html.tmp-5-0"})
         folder.write(name, "x");
     tidy_temporaries(folder.path());
-    remove_pictures_but(folder.path(), {"pictures/new.png"});
+    folder.write("notes.txt", "mine");
+    remove_pictures(folder.path(), {"pictures/old.png", "pictures/never.png", "notes.txt", "pictures/../notes.txt"});
     EXPECT_TRUE(fs::exists(folder / "pictures/new.png"));
+    EXPECT_TRUE(fs::exists(folder / "notes.txt"));
     for (const char* name :
          {"pictures/old.png", "pictures/new.png.tmp-5-0", "units/a_b.unit.tmp-5-0", "report.html.tmp-5-0"})
         EXPECT_FALSE(fs::exists(folder / name)) << name;
     forget_units(folder.path());
     EXPECT_TRUE(kept_units(folder.path()).empty());
-    remove_pictures_but(folder.path(), {});
+    remove_pictures(folder.path(), {"pictures/new.png"});
     EXPECT_FALSE(fs::exists(folder / "pictures"));
-    EXPECT_NO_THROW(remove_pictures_but(folder.path(), {}));
+    EXPECT_NO_THROW(remove_pictures(folder.path(), {"pictures/new.png"}));
 }
 
 TEST(Temporaries, are_told_from_other_names)
