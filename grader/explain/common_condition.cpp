@@ -20,6 +20,7 @@ constexpr std::size_t most_in_vector = 4;
 constexpr std::size_t least_fresh = 6;      ///< questions on either side, in these sets together
 constexpr std::size_t least_elsewhere = 4;  ///< questions of another case that speak against a condition …
 constexpr double most_against = 0.1;        ///< … and their share of those on that side
+constexpr double most_beyond = 0.4;         ///< of a simple one: the share of wrong answers that it does not hold of
 constexpr std::size_t many_others = 3;      ///< numbers that part questions as the one does that is told of
 constexpr double most_common_seconds = 3;   ///< of one check, for fresh inputs
 
@@ -108,16 +109,18 @@ Confirmed confirmed_elsewhere(const Condition& condition, OtherCases& others, co
             wrong_and_holds += here && told.wrong[i] ? 1 : 0;
         }
         // Of what is simple, one other bug or a few inputs to which it makes no difference say nothing yet.
-        const double most = condition.is_simple ? 1 - most_against : most_against;
-        const auto speak_against = [&](std::size_t some, std::size_t all) {
+        const auto speak_against = [&](std::size_t some, std::size_t all, double most) {
             against =
                 against || (some >= least_elsewhere && static_cast<double>(some) > most * static_cast<double>(all));
         };
         const std::size_t holds_not = told.wrong.size() - holds;
         // A single number may be the reason, and make no difference there; what is put together, or fitted, may not.
         if (!condition.one_sided && (!condition.fact || condition.fitted || condition.is_simple))
-            speak_against(holds - wrong_and_holds, holds);
-        speak_against(wrong - wrong_and_holds, condition.is_simple ? wrong : holds_not);
+            speak_against(holds - wrong_and_holds, holds, condition.is_simple ? 1 - most_against : most_against);
+        if (condition.is_simple)
+            speak_against(wrong - wrong_and_holds, wrong, most_beyond);
+        else
+            speak_against(wrong - wrong_and_holds, holds_not, most_against);
         wrong_where += wrong_and_holds;
         right_elsewhere += holds_not - (wrong - wrong_and_holds);
         return !against;

@@ -23,20 +23,27 @@ constexpr double most_seconds = 4;
 /// From coarse to fine: the first at which the work is still wrong has the simplest inputs.
 constexpr Grain grains[] = {{1, 0}, {2, 0}, {2, 2}, {3, 0}, {4, 0}, {4, 4}, {6, 0}};
 
+/// How many elements the lists of a question have together.
+double elements_of(const QuestionLog& log, std::uint32_t question)
+{
+    double elements = 0;
+    if (const QuestionKind* kind = log.kind_of(question))
+        for (std::size_t i = 0; i < kind->features.size(); ++i)
+            if (kind->features[i].ends_with(".size()")) elements += kind->questions.at(question)[i];
+    return elements;
+}
+
 /// How much there is to look at in a question: the letters that are shown of it, and the elements of its lists.
 double length_of(const QuestionLog& log, std::uint32_t question, const std::string& code)
 {
     constexpr double letters_an_element = 10;
-    double length = static_cast<double>(code.size());
-    if (const QuestionKind* kind = log.kind_of(question))
-        for (std::size_t i = 0; i < kind->features.size(); ++i)
-            if (kind->features[i].ends_with(".size()")) length += letters_an_element * kind->questions.at(question)[i];
-    return length;
+    return static_cast<double>(code.size()) + letters_an_element * elements_of(log, question);
 }
 
 struct Simplest {
     std::optional<Difference> found;
     double length = 0;
+    double elements = 0;
     std::uint32_t question = 0;
     std::size_t row = 0;
 
@@ -56,12 +63,18 @@ struct Search {
     std::uint64_t seed;
 };
 
-/// The length of the question behind the first wrong value.
-double first_length(const Search& search)
+/// The length of the question behind the first wrong value, and the elements of its lists.
+struct Size {
+    double length = 0;
+    double elements = 0;
+};
+
+Size first_size(const Search& search)
 {
     const QuestionLog& log = search.worker.questions(search.exercise, search.check.case_name, search.seed);
     const auto question = search.first.cell ? log.question_of(search.check.value, *search.first.cell, 0) : std::nullopt;
-    return question ? length_of(log, *question, search.first.question) : 0;
+    if (!question) return {};
+    return {length_of(log, *question, search.first.question), elements_of(log, *question)};
 }
 
 /// How the reference's own rows stand by the check: against the oracle, and with inputs that no driver gives, it may be
@@ -119,7 +132,7 @@ bool look_at(const Search& search, const Grain& grain, Simplest& simplest)
         const RowPairs pairs{check, view, right, kind, columns};
         const auto [where, mine, reference, cell, none, others] = row_difference(pairs, found->second);
         best.offer({Difference{wrong_columns(pairs, found->second), mine, reference, std::nullopt, code},
-                    length_of(log, question, code), question, found->second});
+                    length_of(log, question, code), elements_of(log, question), question, found->second});
     }
     if (!best.found || (simplest.found && simplest.length <= best.length)) return true;
     // What is wrong only after other questions shows nothing.
@@ -191,7 +204,9 @@ void add_simplest_question(Worker& worker, const Exercise& exercise, const Built
         const Search search{worker, exercise, built, check, *shown_first(of_check), seed};
         Simplest simplest;
         const bool in_time = look_at_grains(search, simplest);
-        if (simplest.found && simplest.length < much_shorter * first_length(search)) {
+        // Smaller numbers in longer lists are not simpler.
+        const Size first = simplest.found ? first_size(search) : Size{};
+        if (simplest.found && simplest.length < much_shorter * first.length && simplest.elements <= first.elements) {
             if (check.hidden)
                 of_check.practice_example = std::move(simplest.found);
             else

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "explain/other_cases.hpp"
 #include "explain/question_words.hpp"
 #include "explain/samples.hpp"
 #include "worker/spent_on_runs.hpp"
@@ -43,8 +44,16 @@ std::string wrong_function(Worker& worker, const AskedCheck& asked, SpareTime& t
     const auto& [function, count] = *std::ranges::find_if(functions, is_wrong);
     std::vector<std::string> others;
     std::size_t right = 0;
+    OtherCases elsewhere(worker, asked);
     for (const auto& [name, other] : functions) {
         if (name == function) continue;
+        // What a check asks of it may show too little of its answers.
+        bool is_wrong_elsewhere = false;
+        elsewhere.each(name, [&](const AskedSample& sample) {
+            is_wrong_elsewhere = wrong_in(sample.answers) > 0;
+            return !is_wrong_elsewhere;
+        });
+        if (is_wrong_elsewhere) return "";
         others.emplace_back(reflect::last_name(name));
         right += other.all;
     }

@@ -153,6 +153,18 @@ bool are_of_questions_before(const AnswerTable& table, const Pairs& wrong)
     return different.size() >= least_wrong;
 }
 
+/// Are they, of the rows of a call, those before them once more: an index that was not moved on?
+bool repeat_the_rows_before(const AnswerTable& table, const Pairs& wrong)
+{
+    if (!table.several) return false;
+    std::set<std::vector<double>> different;
+    for (const AnswerPair* one : wrong) {
+        if (one == table.answers.data() || !alike_rows(one->yours, (one - 1)->yours)) return false;
+        different.insert(one->yours);
+    }
+    return different.size() >= least_wrong;
+}
+
 /// What each wrong number is, where a row has several, if it is the same for all.
 void add_change_of_all(const AnswerTable& table, const Pairs& wrong, const std::vector<std::size_t>& which,
                        const std::string& place, std::vector<AnswerPattern>& found)
@@ -272,7 +284,10 @@ std::vector<AnswerPattern> answer_patterns(const AnswerTable& table)
         add_components(table, wrong, found);
         // An argument may be the right answer to the question before: that explains more simply.
         const auto vague = std::ranges::find_if(found, [](const AnswerPattern& one) { return is_vague(one.tells); });
-        if (are_of_questions_before(table, wrong)) found.insert(vague, {"is the right one to the question before"});
+        if (are_of_questions_before(table, wrong))
+            found.insert(vague, {"is the right one to the question before"});
+        else if (repeat_the_rows_before(table, wrong))
+            found.insert(vague, {"is your row before it once more"});
     } else {
         add_mostly_nearly_right(table, wrong, found);
     }

@@ -255,5 +255,20 @@ TEST(AnswerPatterns, say_nothing_of_random_answers)
     }
 }
 
+// As where y stands for z in the third of three.
+TEST(AnswerPatterns, say_that_a_row_is_the_one_before_once_more)
+{
+    AnswerTable made{3, 0, {"x", "y", "z"}, {}, {}};
+    made.several = true;
+    for (int i = 0; i < 30; ++i) {
+        const Row right{0.3 * i, std::sin(7.0 * i), std::cos(5.0 * i)};
+        const bool is_third = i % 3 == 2;
+        made.answers.push_back({is_third ? made.answers.back().yours : right, right, is_third});
+    }
+    EXPECT_EQ(first_pattern(made), "is your row before it once more");
+    made.answers[5].yours[1] += 0.5;
+    EXPECT_EQ(first_pattern(made).find("once more"), std::string::npos);
+}
+
 }
 }

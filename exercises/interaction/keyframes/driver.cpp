@@ -82,7 +82,7 @@ void record_near_turns(Recorder& out, Random& random)
 {
     for (int i = 0; i < 120; ++i) {
         const UnitQuaternion from = random_orientation(random);
-        const double angle = i % 3 == 0 ? 0 : std::pow(10.0, -8 + 6 * (i + random.uniform_double()) / 120);
+        const double angle = i % 3 == 0 ? 0 : std::pow(10.0, -8 + 7.75 * (i + random.uniform_double()) / 120);
         const UnitQuaternion to = i % 3 == 0 ? from : product(about(glm::dvec3(random.unit_vector()), angle), from);
         record_slerp(out, from, random.below(2) == 0 ? to : negated(to), random.uniform());
     }

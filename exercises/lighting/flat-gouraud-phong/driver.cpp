@@ -124,6 +124,8 @@ void by_hand(Variation& vary, Recorder& out)
         const int phong = record<draw_phong>(out, "phong", scenes[i], its_place, 100 + i);
         out.append("evaluations", glm::vec3(flat, gouraud, phong));
     }
+    // To the right end of the target, and beyond it.
+    record_all(out, {some_square(vary, 5, 27, 0.5F, 0.3F)}, std::size(scenes));
 }
 
 // Every third vertex lies where the one before it does, as along a crease, with a normal of its own; half of the

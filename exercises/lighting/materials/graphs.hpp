@@ -71,8 +71,8 @@ inline std::vector<std::shared_ptr<const SurfaceMaterial>> made(const std::vecto
 }
 
 /// Four materials, and nodes whose right picture follows by hand: a material that is changed within a node, one that
-/// ends with its node, a node that has none of its own, entered below two, ones that end with a transformation and with
-/// a material.
+/// ends with its node and is named again behind it, a node that has none of its own, entered below two, ones that end
+/// with a transformation and with a material.
 inline MaterialGraph graph_by_hand()
 {
     MaterialGraph graph;
@@ -82,6 +82,8 @@ inline MaterialGraph graph_by_hand()
                     {Kind::object, 11},
                     {Kind::node, 1},
                     {Kind::object, 12},
+                    {Kind::material, 0},
+                    {Kind::object, 15},
                     {Kind::material, 3},
                     {Kind::object, 14},
                     {Kind::material, 1},

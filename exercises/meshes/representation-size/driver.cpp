@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <kit/drawing.hpp>
 #include <kit/varied.hpp>
 #include <umbral/meshes/sizes.hpp>
@@ -13,17 +14,32 @@ namespace {
 
 using namespace meshes;
 
-// All 64 bits: how many times 2^32, and what is left over.
+// All 64 bits, of which a double has 53: billions, and what is left over.
+glm::dvec2 billions_and_units(std::uint64_t value)
+{
+    constexpr std::uint64_t billion = 1'000'000'000;
+    return {static_cast<double>(value / billion), static_cast<double>(value % billion)};
+}
+
 void record(Recorder& out, const char* name, std::uint64_t value)
 {
-    out.columns(name, "whole 2^32, and");
-    out.append(name, glm::dvec2(static_cast<double>(value >> 32U), static_cast<double>(value & 0xFFFFFFFFU)));
+    out.columns(name, "billions, units");
+    out.append(name, billions_and_units(value));
+}
+
+// Several numbers of one answer, a row each: `columns` says what the first number, which counts them, means.
+void record_each(Recorder& out, const char* name, const char* columns, std::initializer_list<std::uint64_t> values)
+{
+    out.columns(name, columns);
+    double which = 0;
+    for (const std::uint64_t value : values) out.append(name, glm::dvec3(which++, billions_and_units(value)));
 }
 
 void record_counts(Recorder& out, std::uint64_t columns, std::uint64_t rows)
 {
     const GridCounts counts = ask<grid_counts>(out, columns, rows);
-    for (const std::uint64_t count : {counts.vertices, counts.edges, counts.triangles}) record(out, "counts", count);
+    record_each(out, "counts", "number: 0 of vertices; 1 of edges; 2 of triangles, billions, units",
+                {counts.vertices, counts.edges, counts.triangles});
 }
 
 void record_bytes(Recorder& out, std::uint64_t columns, std::uint64_t rows, const EntryBytes& bytes)
@@ -38,7 +54,8 @@ void record_bytes(Recorder& out, std::uint64_t columns, std::uint64_t rows, cons
 void record_work(Recorder& out, std::uint64_t columns, std::uint64_t rows)
 {
     const GridWork work = ask<grid_work>(out, columns, rows);
-    for (const std::uint64_t count : {work.isolated, work.indexed, work.strips}) record(out, "work", count);
+    record_each(out, "work", "work: 0 of isolated; 1 of indexed; 2 of strips, billions, units",
+                {work.isolated, work.indexed, work.strips});
 }
 
 EntryBytes random_entries(Random& random)

@@ -84,16 +84,25 @@ requires(std::is_integral_v<Number> && !std::is_same_v<Number, bool>) struct Cha
     };
 };
 
-/// "taken as even_odd": lives as long as the program.
 template <class Enum, int Value>
-inline constexpr auto taken_as = [] {
-    constexpr std::string_view begin = "taken as ";
-    constexpr std::string_view name = reflect::last_name(reflect::value_name<static_cast<Enum>(Value)>());
-    std::array<char, begin.size() + name.size()> text{};
-    std::copy(begin.begin(), begin.end(), text.begin());
-    std::copy(name.begin(), name.end(), text.begin() + begin.size());
-    return text;
-}();
+inline constexpr std::string_view enumerator = reflect::last_name(reflect::value_name<static_cast<Enum>(Value)>());
+
+/// These texts behind each other: they live as long as the program.
+template <const std::string_view&... Texts>
+struct Joined {
+    static constexpr auto letters = [] {
+        std::array<char, (Texts.size() + ...)> all{};
+        auto at = all.begin();
+        ((at = std::copy(Texts.begin(), Texts.end(), at)), ...);
+        return all;
+    }();
+    static constexpr std::string_view text{letters.data(), letters.size()};
+};
+
+inline constexpr std::string_view taken_as = "taken as ";
+inline constexpr std::string_view exchanged_begin = "with ";
+inline constexpr std::string_view exchanged_and = " and ";
+inline constexpr std::string_view exchanged_end = " exchanged";
 
 /// So many enumerators are asked in place of others; of longer lists the first.
 inline constexpr int most_asked_enumerators = 6;
@@ -102,13 +111,25 @@ template <class Enum>
 requires std::is_enum_v<Enum>
 struct ChangesOf<Enum> {
     static constexpr int count = std::min(reflect::enumerators<Enum>, most_asked_enumerators);
-    static constexpr auto all = []<int... Value>(std::integer_sequence<int, Value...>)
+    static constexpr auto taken = []<int... Value>(std::integer_sequence<int, Value...>)
     {
-        return std::array<Change, sizeof...(Value)>{
-            change<Enum>(std::string_view(taken_as<Enum, Value>.data(), taken_as<Enum, Value>.size()),
-                         [](Enum& e) { e = static_cast<Enum>(Value); })...};
+        return std::array<Change, sizeof...(Value)>{change<Enum>(Joined<taken_as, enumerator<Enum, Value>>::text,
+                                                                 [](Enum& e) { e = static_cast<Enum>(Value); })...};
     }
     (std::make_integer_sequence<int, count>{});
+    /// Each with the one that is declared behind it.
+    static constexpr auto exchanged = []<int... Value>(std::integer_sequence<int, Value...>)
+    {
+        return std::array<Change, sizeof...(Value)>{
+            change<Enum>(Joined<exchanged_begin, enumerator<Enum, Value>, exchanged_and, enumerator<Enum, Value + 1>,
+                                exchanged_end>::text,
+                         [](Enum& e) {
+                             const auto number = static_cast<int>(e);
+                             if (number == Value || number == Value + 1) e = static_cast<Enum>(2 * Value + 1 - number);
+                         })...};
+    }
+    (std::make_integer_sequence<int, std::max(count - 1, 0)>{});
+    static constexpr auto all = joined(taken, exchanged);
 };
 
 /// Also of vectors whose squares are no floats, as a unit's own function may be asked to.
@@ -228,6 +249,10 @@ struct ChangesOf<std::vector<Element>> {
             change<List>("cut to its first element",
                          [](List& list) {
                              if (!list.empty()) list.erase(list.begin() + 1, list.end());
+                         }),
+            change<List>("cut to its first three elements",
+                         [](List& list) {
+                             if (list.size() > 3) list.erase(list.begin() + 3, list.end());
                          }),
             change<List>("with its last element twice",
                          [](List& list) {
