@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "cli/application.hpp"
 #include "cli/commands.hpp"
@@ -18,6 +21,19 @@ std::filesystem::path demo_secret(const Application& application)
     return application.tools.cache / "demo-secret";
 }
 
+/// The units that the demo shows, by their ids. Throws UsageError if the list is missing.
+std::vector<std::string> demo_units(const std::filesystem::path& list)
+{
+    std::vector<std::string> units;
+    std::ifstream stream(list);
+    for (std::string line; std::getline(stream, line);)
+        if (!line.empty() && line.front() != '#') units.push_back(line);
+    if (units.empty())
+        throw UsageError(fmt::format("{}: expected the units of the demo; it comes with the package umbral-instructor",
+                                     list.string()));
+    return units;
+}
+
 }
 
 void add_demo(Command command, Application& application)
@@ -31,7 +47,7 @@ void add_demo(Command command, Application& application)
         GradeCommand grade;
         grade.submissions = application.layout.samples.string();
         grade.out = std::filesystem::absolute(*out).string();
-        grade.handed_in = true;
+        grade.units = demo_units(application.layout.samples.parent_path() / "demo-units.txt");
         grade.course = "demo";
         // A secret of its own: nothing of the user's is touched, and every machine sees the same demo.
         grade.secret_file = demo_secret(application).string();

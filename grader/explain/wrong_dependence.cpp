@@ -24,6 +24,7 @@ constexpr std::size_t most_moved_cells = 20'000;  ///< of a table
 constexpr double most_seconds_of_runs = 1;        ///< of the reference's
 constexpr std::size_t fresh_place = 11;  ///< of practice inputs, behind those that conditions are confirmed on; two
 constexpr std::size_t enough_moved = 8;  ///< answers; of fewer, other cases are asked too
+constexpr std::size_t least_moved = 4;   ///< answers; of fewer it may come of their inputs, as a ray along an axis
 constexpr std::size_t most_told = 2;     ///< kinds of dependence
 constexpr std::size_t most_named = 3;    ///< numbers of an answer
 
@@ -190,6 +191,7 @@ std::string wrong_dependence(Worker& worker, const AskedCheck& asked, SpareTime&
             if (!is_enough()) answers.add(other, input_seed(other, 0));
             return !is_enough();
         });
+    if (answers.all.wrong.size() < least_moved) return "";
     std::vector<Dependence> found = dependences(answers.all);
     std::erase_if(found, [&](const Dependence& one) { return !can_be_named(one, answers.named); });
     // What a number depends on instead says more than that it depends on something.

@@ -11,6 +11,7 @@
 
 #include "question/alike.hpp"
 #include "question/number_changes.hpp"
+#include "question/told_as.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -18,43 +19,7 @@ namespace {
 /// Of fewer different numbers anything is true by chance.
 constexpr std::size_t least_different = 4;
 
-bool same(double a, double b) { return alike(a, b, std::max(std::abs(a), std::abs(b))); }
-
-bool all_same(std::span<const double> a, std::span<const double> b) { return std::ranges::equal(a, b, same); }
-
-bool vary(std::span<const double> values)
-{
-    return std::set<double>(values.begin(), values.end()).size() >= least_different;
-}
-
-/// What is told of each of these questions.
-std::vector<double> values_at(const Fact& fact, std::span<const std::size_t> questions)
-{
-    std::vector<double> values;
-    for (const std::size_t question : questions) values.push_back(fact.values.at(question));
-    return values;
-}
-
-/// The words of the first number told of the questions that has these values, and of others that do; nothing if these
-/// are many. Not of what is told of right answers, which are compared themselves.
-std::optional<std::string> told_as(std::span<const double> values, std::span<const std::size_t> questions,
-                                   const std::vector<Fact>& facts)
-{
-    constexpr std::size_t most_others = 2;
-    if (!vary(values)) return std::nullopt;
-    std::optional<std::string> words;
-    std::vector<std::string> others;
-    for (const Fact& fact : facts) {
-        if (fact.answer || fact.kind == Fact::Kind::parallel || !all_same(values_at(fact, questions), values)) continue;
-        if (!words)
-            words = fact.words;
-        else if (fact.kind == Fact::Kind::number || fact.kind == Fact::Kind::length)
-            others.push_back(fact.words);
-    }
-    if (others.empty()) return words;
-    if (others.size() > most_others) return std::nullopt;
-    return fmt::format("{} (here the same as {})", *words, fmt::join(others, " and "));
-}
+bool all_same(std::span<const double> a, std::span<const double> b) { return std::ranges::equal(a, b, is_same_number); }
 
 template <class Make>
 std::vector<double> made_of(std::span<const double> a, std::span<const double> b, Make make)
@@ -67,7 +32,7 @@ std::vector<double> made_of(std::span<const double> a, std::span<const double> b
 /// Right ones whose factor and offset are the same for all.
 std::optional<std::string> linear(std::span<const double> yours, std::span<const double> right)
 {
-    if (!vary(right)) return std::nullopt;
+    if (!are_varied(right)) return std::nullopt;
     const auto [low, high] = std::ranges::minmax_element(right);
     const auto at = [&](auto place) { return yours[static_cast<std::size_t>(place - right.begin())]; };
     const double factor = (at(high) - at(low)) / (*high - *low);
@@ -75,9 +40,9 @@ std::optional<std::string> linear(std::span<const double> yours, std::span<const
     const double size = std::max(std::abs(*low), std::abs(*high)) * std::max(1.0, std::abs(factor)) + std::abs(offset);
     for (std::size_t i = 0; i < right.size(); ++i)
         if (std::abs(factor * right[i] + offset - yours[i]) > rounding * size) return std::nullopt;
-    if (same(factor, 1) || std::abs(factor) < 100 * rounding || std::abs(offset) < 100 * rounding * size)
+    if (is_same_number(factor, 1) || std::abs(factor) < 100 * rounding || std::abs(offset) < 100 * rounding * size)
         return std::nullopt;
-    if (same(factor, -1)) return constant_text(offset, false) + " minus the right one";
+    if (is_same_number(factor, -1)) return constant_text(offset, false) + " minus the right one";
     return fmt::format("{} times the right one {} {}", constant_text(factor), offset > 0 ? "plus" : "minus",
                        constant_text(std::abs(offset), false));
 }
@@ -196,8 +161,8 @@ std::optional<AnswerPattern> multiple_of(const WrongVectors& vectors, const std:
                          }) >= static_cast<std::ptrdiff_t>(least_different);
     if (!factors || !oblique) return std::nullopt;
     // What is off by a rounding is no multiple of it.
-    if (std::ranges::all_of(*factors, [](double factor) { return same(factor, 1); })) return std::nullopt;
-    const auto as_first = [&](double factor) { return same(factor, factors->front()); };
+    if (std::ranges::all_of(*factors, [](double factor) { return is_same_number(factor, 1); })) return std::nullopt;
+    const auto as_first = [&](double factor) { return is_same_number(factor, factors->front()); };
     if (std::ranges::all_of(*factors, as_first)) {
         AnswerPattern found = multiple(factors->front());
         found.words.insert(0, "is ");
@@ -208,7 +173,7 @@ std::optional<AnswerPattern> multiple_of(const WrongVectors& vectors, const std:
     if (!are_coordinates(vectors.names)) return std::nullopt;
     if (std::ranges::all_of(*factors, [](double factor) { return factor > 0; }))
         return AnswerPattern{"has the right direction, but not the right length"};
-    if (vectors.components > 1 && vary(*factors))
+    if (vectors.components > 1 && are_varied(*factors))
         return AnswerPattern{"lies along the right one, with another length, and not always to the same side"};
     return std::nullopt;
 }
@@ -249,6 +214,7 @@ std::optional<std::string> relation_of(const WrongNumbers& numbers, const std::v
 {
     if (numbers.yours.empty()) return std::nullopt;
     if (auto words = told_as(numbers.yours, numbers.questions, facts)) return words;
+    if (auto words = told_as_either(numbers.yours, numbers.questions, facts)) return words;
     const std::vector<double> more = made_of(numbers.yours, numbers.right, std::minus{});
     if (const auto words = told_as(more, numbers.questions, facts)) return "the right one plus " + *words;
     const std::vector<double> less = made_of(numbers.right, numbers.yours, std::minus{});
@@ -271,9 +237,9 @@ std::optional<AnswerPattern> relation_of(const WrongVectors& vectors, const std:
 
 std::optional<int> sign_between(std::span<const double> yours, std::span<const double> others)
 {
-    if (yours.size() != others.size() || !vary(others)) return std::nullopt;
+    if (yours.size() != others.size() || !are_varied(others)) return std::nullopt;
     if (all_same(yours, others)) return 1;
-    if (std::ranges::equal(yours, others, [](double a, double b) { return same(a, -b); })) return -1;
+    if (std::ranges::equal(yours, others, [](double a, double b) { return is_same_number(a, -b); })) return -1;
     return std::nullopt;
 }
 

@@ -44,8 +44,8 @@ TEST(Surroundings, cost_no_grades)
     int number = 0;
     for (const char* const before : {"exec 1>&-;", "exec 2>&-;", "exec 0>&- 1>&- 2>&-;", "trap '' CHLD;"}) {
         const std::string out = "out" + std::to_string(++number);
-        const Printed printed = umbral("grade class --unit sphere --jobs 1 --out " + out,
-                                       "cd '" + folder.path().string() + "' && " + before);
+        const Printed printed = run("cd '" + folder.path().string() + "' && sh -c \"" + before +
+                                    " exec " UMBRAL_PROGRAM " grade class --unit sphere --jobs 1 --out " + out + "\"");
         EXPECT_EQ(printed.status, 0) << before << printed.text;
         EXPECT_NE(read(folder / out / "class.json").find("\"verdict\": \"ok\""), std::string::npos) << before;
     }

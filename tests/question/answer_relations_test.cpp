@@ -124,6 +124,20 @@ TEST(AnswerRelations, find_that_a_fraction_was_lost)
     EXPECT_EQ(change_of_numbers(Row{1, 2, 3, 5}, Row{1, 2, 3, 4}), std::nullopt);
 }
 
+// Where the ends of an interval are taken in.
+TEST(AnswerRelations, find_that_each_is_one_of_two_numbers)
+{
+    std::size_t number = 0;
+    const auto either = [&](const Asked& one) { return Row{number++ % 2 == 0 ? one.t : one.v[1]}; };
+    EXPECT_EQ(first_pattern(answers(1, either)), "is t or v.y");
+    number = 0;
+    const auto one_of_three = [&](const Asked& one) {
+        ++number;
+        return Row{number % 3 == 0 ? one.t : number % 3 == 1 ? one.v[1] : one.v[2]};
+    };
+    EXPECT_EQ(first_pattern(answers(1, one_of_three)).find(" or "), std::string::npos);
+}
+
 TEST(AnswerRelations, find_squares_of_what_was_asked)
 {
     const auto with = [](const std::function<double(const Asked&)>& factor) {

@@ -170,9 +170,10 @@ void record_graph(Recorder& out, Random& random, MaterialGraph graph,
                           static_cast<float>(pipeline.drawn.size()),
                           static_cast<float>(std::max(most, pipeline.reflections_set) - most),
                           is_nearly(pipeline.now.modelview, matrix) ? 1.0F : 0.0F};
-    out.columns("pointer",
-                "context.material: 1 for the default one; 0 for none; 2 for another, diffuse blue on the pipeline, "
-                "texture on the pipeline, objects drawn, activations without need, matrix: 1 as before; 0 another one");
+    out.columns(
+        "pointer",
+        "context.material: 1 for the default one; 0 for none; 2 for another, diffuse blue on the pipeline, "
+        "texture on the pipeline, objects drawn, activations without need, matrix (0: another one; 1: as before)");
     out.append("pointer", std::span<const float>(left));
 }
 

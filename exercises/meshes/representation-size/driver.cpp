@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <kit/drawing.hpp>
 #include <kit/varied.hpp>
+#include <string>
 #include <umbral/meshes/sizes.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
@@ -15,30 +16,31 @@ namespace {
 using namespace meshes;
 
 // All 64 bits, of which a double has 53: billions, and what is left over.
-glm::dvec2 billions_and_units(std::uint64_t value)
-{
-    constexpr std::uint64_t billion = 1'000'000'000;
-    return {static_cast<double>(value / billion), static_cast<double>(value % billion)};
-}
-
 void record(Recorder& out, const char* name, std::uint64_t value)
 {
+    constexpr std::uint64_t billion = 1'000'000'000;
     out.columns(name, "billions, units");
-    out.append(name, billions_and_units(value));
+    out.append(name, glm::dvec2(static_cast<double>(value / billion), static_cast<double>(value % billion)));
 }
 
-// Several numbers of one answer, a row each: `columns` says what the first number, which counts them, means.
-void record_each(Recorder& out, const char* name, const char* columns, std::initializer_list<std::uint64_t> values)
+// Several numbers of one answer, a row each: the first says which it is, by what `names` calls them. Floats hold
+// numbers of seven digits as they are.
+void record_each(Recorder& out, const char* name, const char* names, std::initializer_list<std::uint64_t> values)
 {
-    out.columns(name, columns);
-    double which = 0;
-    for (const std::uint64_t value : values) out.append(name, glm::dvec3(which++, billions_and_units(value)));
+    constexpr std::uint64_t million = 1'000'000;
+    out.columns(name, std::string("number (") + names + "), million millions, millions, units");
+    float which = 0;
+    for (const std::uint64_t value : values) {
+        const float row[] = {which++, static_cast<float>(value / million / million),
+                             static_cast<float>(value / million % million), static_cast<float>(value % million)};
+        out.append(name, row);
+    }
 }
 
 void record_counts(Recorder& out, std::uint64_t columns, std::uint64_t rows)
 {
     const GridCounts counts = ask<grid_counts>(out, columns, rows);
-    record_each(out, "counts", "number: 0 of vertices; 1 of edges; 2 of triangles, billions, units",
+    record_each(out, "counts", "0: vertices; 1: edges; 2: triangles",
                 {counts.vertices, counts.edges, counts.triangles});
 }
 
@@ -54,8 +56,7 @@ void record_bytes(Recorder& out, std::uint64_t columns, std::uint64_t rows, cons
 void record_work(Recorder& out, std::uint64_t columns, std::uint64_t rows)
 {
     const GridWork work = ask<grid_work>(out, columns, rows);
-    record_each(out, "work", "work: 0 of isolated; 1 of indexed; 2 of strips, billions, units",
-                {work.isolated, work.indexed, work.strips});
+    record_each(out, "work", "0: isolated; 1: indexed; 2: strips", {work.isolated, work.indexed, work.strips});
 }
 
 EntryBytes random_entries(Random& random)
