@@ -44,8 +44,10 @@ void add_named(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
                            },
                            cost});
         };
-        add("is", true, 0);
-        if (!two) add("is not", false, 1);
+        // What a row is called says more than where it stands.
+        const int cost = fact.label ? -1 : 0;
+        add("is", true, cost);
+        if (!two) add("is not", false, cost + 1);
     }
 }
 
