@@ -12,6 +12,7 @@
 #include <random>
 #include <thread>
 
+#include "graded_class.hpp"
 #include "program.hpp"
 #include "support/remove_at_last.hpp"
 #include "support/temporary_folder.hpp"
@@ -20,49 +21,6 @@
 // Whenever grading is killed, nothing is lost, and nobody's grade changes.
 namespace umbral::test {
 namespace {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
-
-json class_json(const fs::path& out) { return without_times(json::parse(read(out / "class.json"))); }
-
-const json& submission(const json& all, const std::string& id)
-{
-    for (const json& one : all.at("submissions"))
-        if (one.at("id") == id) return one;
-    throw std::runtime_error("no submission " + id);
-}
-
-/// A class of four, of whom one is right, one mistaken, one does not compile, and one handed in nothing.
-class Resume : public testing::Test {
-protected:
-    Resume()
-    {
-        hand_in("ana", read(UMBRAL_SOURCE "/reference/raytracing/sphere.cpp"));
-        hand_in("bo", read(UMBRAL_SOURCE "/tests/class/carla-typical-mistakes/raytracing/sphere/sphere.cpp"));
-        hand_in("cy", "this is no C++\n");
-        folder.write("class/dan/README", "sorry");
-        folder.write("secret", "a secret of more than 16 characters");
-    }
-
-    void hand_in(const std::string& id, const std::string& sphere) const
-    {
-        folder.write("class/" + id + "/sphere.cpp", sphere);
-    }
-    [[nodiscard]] std::string arguments(const std::string& out, const std::string& more = "") const
-    {
-        return "grade " + (folder / "class").string() + " --out " + (folder / out).string() + " --secret-file " +
-               (folder / "secret").string() + " --unit sphere --jobs 2 " + more;
-    }
-    /// With a cache of its own: what others leave in the user's must not help.
-    [[nodiscard]] std::string environment() const { return "UMBRAL_CACHE=" + (folder / "cache").string(); }
-    [[nodiscard]] Printed grade(const std::string& out, const std::string& more = "") const
-    {
-        return umbral(arguments(out, more), environment());
-    }
-
-    TemporaryFolder folder;
-};
 
 /// Starts the same in a process group of its own, and kills the group after a while. Says whether it was alive until
 /// then.
@@ -86,39 +44,7 @@ bool killed_after(std::chrono::microseconds while_, const std::string& arguments
     return WIFSIGNALED(status);
 }
 
-// What was deleted comes back; what somebody put beside it stays; what was changed is not believed.
-TEST_F(Resume, whatever_happens_to_the_reports)
-{
-    ASSERT_EQ(grade("out").status, 0);
-    const json before = class_json(folder / "out");
-    const auto is_as_before = [&] {
-        const Printed again = grade("out");
-        EXPECT_EQ(again.status, 0) << again.text;
-        EXPECT_EQ(class_json(folder / "out"), before);
-        for (const char* const file : {"report.html", "report.json", "report.student.json"})
-            EXPECT_TRUE(fs::exists(folder / "out/bo" / file)) << file;
-        EXPECT_TRUE(fs::exists(folder / "out/bo/pictures"));
-    };
-    ASSERT_TRUE(fs::exists(folder / "out/bo/pictures")) << "bo's picture is wrong";
-    fs::remove(folder / "out/bo/report.html");
-    is_as_before();
-    fs::remove_all(folder / "out/bo/pictures");
-    is_as_before();
-    folder.write("out/bo/pictures/notes.txt", "mine");
-    folder.write("out/bo/pictures/marked.png", "mine, too");
-    EXPECT_EQ(grade("out", "--fresh").status, 0);
-    EXPECT_EQ(read(folder / "out/bo/pictures/notes.txt"), "mine");
-    EXPECT_EQ(read(folder / "out/bo/pictures/marked.png"), "mine, too");
-    const std::string kept = read(folder / "out/ana/units/raytracing_sphere.unit");
-    for (const char* const changed : {"\"score\":9999999,", "\"score\":9999999,\"max_score\":9999999,"}) {
-        std::string text = kept;
-        const std::size_t at = text.rfind("\"score\":10000,", text.find('\n'));
-        ASSERT_NE(at, std::string::npos);
-        text.replace(at, std::string("\"score\":10000,").size(), changed);
-        folder.write("out/ana/units/raytracing_sphere.unit", text);
-        is_as_before();
-    }
-}
+class Resume : public GradedClass {};
 
 TEST_F(Resume, killed_at_any_moment_it_goes_on_and_ends_the_same)
 {

@@ -197,16 +197,6 @@ TEST_F(ClassFolders, a_roster_decides)
     EXPECT_EQ(result.ignored[0], (Ignored{"absent", "line 4 of the roster: there is no such folder"}));
 }
 
-// As spreadsheets write it where numbers have commas.
-TEST_F(ClassFolders, a_roster_may_have_semicolons)
-{
-    make("García, Ana");
-    const ClassFolder result = with_roster("folder;id;name\r\nGarcía, Ana;s1;\"Ana; García\"\r\n");
-    ASSERT_EQ(result.submissions.size(), 1U);
-    EXPECT_EQ(result.submissions[0].id, "s1");
-    EXPECT_EQ(result.submissions[0].shown, "Ana; García");
-}
-
 // As Macs write it: the accent is a character of its own. Nobody becomes José by a folder that looks like his.
 TEST_F(ClassFolders, a_name_that_is_spelt_with_other_characters_is_pointed_out)
 {
