@@ -145,7 +145,8 @@ std::vector<Benchmark> make_benchmarks()
          .program = "bench-attacks",
          .quick = flag},
         {.name = "class",
-         .measures = "what a class of 200 costs that hands in ten units each, cold and unchanged; STUDENTS, SEED",
+         .measures = "what a class of 200 costs that hands in ten units each, cold and unchanged; STUDENTS, SEED, "
+                     "percent of wrong ones",
          .home = sources,
          .program = "tests/cost/class",
          .quick = flag,
