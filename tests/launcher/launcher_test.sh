@@ -45,14 +45,13 @@ expect "apt installs only what is missing" grep -qE '^(sudo )?apt-get install .*
 expect "apt gets no comment lines" sh -c "! grep -q '#' '$work/calls'"
 expect "it builds from the folder of the launcher" grep -q 'cmake --preset release' "$work/calls"
 expect "it builds the program, and not all units" grep -q 'cmake --build --preset release --target program *$' "$work/calls"
-# What the demo grades is built beside the program; what is no unit is not.
-mkdir -p "$work/project/tests/class/ana/meshes/weld" "$work/project/tests/class/bea/meshes/weld" \
-    "$work/project/tests/class/bea/meshes/none" "$work/project/exercises/meshes/weld"
-: >"$work/project/exercises/meshes/weld/exercise.json"
+# What the demo grades is built beside the program.
+mkdir -p "$work/project/exercises/meshes/weld"
+printf '# the demo\nmeshes/weld\n' >"$work/project/tests/demo-units.txt"
 (cd "$work/project" && ./umbral demo) >"$work/printed" 2>&1 || true
 expect "the demo's units are built with the program" \
     grep -q 'cmake --build --preset release --target program unit-meshes-weld *$' "$work/calls"
-rm -r "$work/project/tests/class" "$work/project/exercises"
+rm -r "$work/project/tests/demo-units.txt" "$work/project/exercises"
 expect "a failed build leaves no stamp" [ ! -e "$work/project/build/release/stamp" ]
 
 # A unit that somebody asked for once is kept up to date; one that is gone is not asked for.
