@@ -199,9 +199,7 @@ private:
             const std::lock_guard lock(mutex_);
             book_.enter(graded);
             faulty_.erase(index);
-            if (std::ranges::find(graded.result.units, Verdict::grader_fault, &UnitResult::verdict) !=
-                graded.result.units.end())
-                faulty_.insert(index);
+            if (has_fault(graded.result)) faulty_.insert(index);
         } catch (const RefusedFolder& refused) {
             const std::lock_guard lock(mutex_);
             book_.enter_trouble(submission.id, refused.what(), false);

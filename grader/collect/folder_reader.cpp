@@ -117,7 +117,7 @@ Listing list_folder_below(int root, std::string_view path, std::size_t most)
     const std::unique_ptr<DIR, CloseFolder> folder(fdopendir(own));
     if (!folder) {
         close(own);
-        throw std::system_error(errno, std::generic_category(), "reading a submission's folder");
+        fail(errno);
     }
     const auto next = [&] {
         errno = 0;

@@ -18,8 +18,8 @@ struct RosterEntry {
 
 /// Reads CSV with the columns folder,id or folder,id,name, which its first line names: UTF-8, with or without byte
 /// order mark; fields may be quoted, and then hold commas, line feeds and doubled quotes. Between fields there may be
-/// semicolons instead, if the first line has them. Throws std::runtime_error
-/// with `where` and the line: a wrong number of fields, an id that is none, a folder or an id listed twice.
+/// semicolons instead, if the first line has them. Throws std::runtime_error with `where` and the line: a wrong number
+/// of fields, an id that is none, a folder or an id listed twice.
 [[nodiscard]] std::vector<RosterEntry> parse_roster(std::string_view text, const std::string& where);
 
 }

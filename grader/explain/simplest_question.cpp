@@ -23,33 +23,32 @@ constexpr double most_seconds = 4;
 /// From coarse to fine: the first at which the work is still wrong has the simplest inputs.
 constexpr Grain grains[] = {{1, 0}, {2, 0}, {2, 2}, {3, 0}, {4, 0}, {4, 4}, {6, 0}};
 
-/// How many elements the lists of a question have together.
-double elements_of(const QuestionLog& log, std::uint32_t question)
-{
-    double elements = 0;
-    if (const QuestionKind* kind = log.kind_of(question))
-        for (std::size_t i = 0; i < kind->features.size(); ++i)
-            if (kind->features[i].ends_with(".size()")) elements += kind->questions.at(question)[i];
-    return elements;
-}
-
 /// How much there is to look at in a question: the letters that are shown of it, and the elements of its lists.
-double length_of(const QuestionLog& log, std::uint32_t question, const std::string& code)
+struct Size {
+    double elements = 0;  ///< of all lists together
+    double length = 0;    ///< in letters, of which an element counts as ten
+};
+
+Size size_of(const QuestionLog& log, std::uint32_t question, const std::string& code)
 {
     constexpr double letters_an_element = 10;
-    return static_cast<double>(code.size()) + letters_an_element * elements_of(log, question);
+    Size size;
+    if (const QuestionKind* kind = log.kind_of(question))
+        for (std::size_t i = 0; i < kind->features.size(); ++i)
+            if (kind->features[i].ends_with(".size()")) size.elements += kind->questions.at(question)[i];
+    size.length = static_cast<double>(code.size()) + letters_an_element * size.elements;
+    return size;
 }
 
 struct Simplest {
     std::optional<Difference> found;
-    double length = 0;
-    double elements = 0;
+    Size size{};
     std::uint32_t question = 0;
     std::size_t row = 0;
 
     void offer(const Simplest& other)
     {
-        if (other.found && (!found || other.length < length)) *this = other;
+        if (other.found && (!found || other.size.length < size.length)) *this = other;
     }
 };
 
@@ -63,18 +62,12 @@ struct Search {
     std::uint64_t seed;
 };
 
-/// The length of the question behind the first wrong value, and the elements of its lists.
-struct Size {
-    double length = 0;
-    double elements = 0;
-};
-
+/// The size of the question behind the first wrong value.
 Size first_size(const Search& search)
 {
     const QuestionLog& log = search.worker.questions(search.exercise, search.check.case_name, search.seed);
     const auto question = search.first.cell ? log.question_of(search.check.value, *search.first.cell, 0) : std::nullopt;
-    if (!question) return {};
-    return {length_of(log, *question, search.first.question), elements_of(log, *question)};
+    return question ? size_of(log, *question, search.first.question) : Size{};
 }
 
 /// How the reference's own rows stand by the check: against the oracle, and with inputs that no driver gives, it may be
@@ -132,9 +125,9 @@ bool look_at(const Search& search, const Grain& grain, Simplest& simplest)
         const RowPairs pairs{check, view, right, kind, columns};
         const auto [where, mine, reference, cell, none, others] = row_difference(pairs, found->second);
         best.offer({Difference{wrong_columns(pairs, found->second), mine, reference, std::nullopt, code},
-                    length_of(log, question, code), elements_of(log, question), question, found->second});
+                    size_of(log, question, code), question, found->second});
     }
-    if (!best.found || (simplest.found && simplest.length <= best.length)) return true;
+    if (!best.found || (simplest.found && simplest.size.length <= best.size.length)) return true;
     // What is wrong only after other questions shows nothing.
     const RunOutcome alone =
         worker.run_coarse(exercise, built, check.case_name, seed, grain, expected, only(best.question));
@@ -159,9 +152,9 @@ bool look_at_grains(const Search& search, Simplest& simplest)
     for (const Grain& grain : grains) {
         if (!search.worker.spare_time().is_left() || !time.is_left()) return false;
         const double before = search.worker.run_seconds();
-        const std::optional<double> length = simplest.found ? std::optional(simplest.length) : std::nullopt;
+        const std::optional<double> length = simplest.found ? std::optional(simplest.size.length) : std::nullopt;
         if (!look_at(search, grain, simplest)) return false;
-        if (length && simplest.length >= *length) return true;
+        if (length && simplest.size.length >= *length) return true;
         time.spend(search.worker.run_seconds() - before);
     }
     return true;
@@ -206,7 +199,8 @@ void add_simplest_question(Worker& worker, const Exercise& exercise, const Built
         const bool in_time = look_at_grains(search, simplest);
         // Smaller numbers in longer lists are not simpler.
         const Size first = simplest.found ? first_size(search) : Size{};
-        if (simplest.found && simplest.length < much_shorter * first.length && simplest.elements <= first.elements) {
+        if (simplest.found && simplest.size.length < much_shorter * first.length &&
+            simplest.size.elements <= first.elements) {
             if (check.hidden)
                 of_check.practice_example = std::move(simplest.found);
             else

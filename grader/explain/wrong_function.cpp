@@ -44,20 +44,22 @@ std::string wrong_function(Worker& worker, const AskedCheck& asked, SpareTime& t
     const auto& [function, count] = *std::ranges::find_if(functions, is_wrong);
     std::vector<std::string> others;
     std::size_t right = 0;
-    OtherCases elsewhere(worker, asked);
     for (const auto& [name, other] : functions) {
         if (name == function) continue;
-        // What a check asks of it may show too little of its answers.
-        bool is_wrong_elsewhere = false;
-        elsewhere.each(name, [&](const AskedSample& sample) {
-            is_wrong_elsewhere = wrong_in(sample.answers) > 0;
-            return !is_wrong_elsewhere;
-        });
-        if (is_wrong_elsewhere) return "";
         others.emplace_back(reflect::last_name(name));
         right += other.all;
     }
     if (right < least_right) return "";
+    // What this check asks of the others may show too little of their answers.
+    OtherCases elsewhere(worker, asked);
+    bool is_wrong_elsewhere = false;
+    for (const auto& [name, other] : functions)
+        if (name != function)
+            elsewhere.each(name, [&](const AskedSample& sample) {
+                is_wrong_elsewhere = is_wrong_elsewhere || wrong_in(sample.answers) > 0;
+                return !is_wrong_elsewhere;
+            });
+    if (is_wrong_elsewhere) return "";
     if (others.size() > most_others_named) {
         const std::size_t more = others.size() - most_others_named;
         others.resize(most_others_named);

@@ -67,6 +67,11 @@ private:
 
 }
 
+bool has_fault(const SubmissionResult& submission)
+{
+    return std::ranges::find(submission.units, Verdict::grader_fault, &UnitResult::verdict) != submission.units.end();
+}
+
 std::vector<Fault> faults(const ClassResult& result)
 {
     Collection all;

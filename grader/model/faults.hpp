@@ -23,6 +23,9 @@ struct Fault {
     std::vector<Place> places;
 };
 
+/// Does a unit of it lack its points to a fault of the grader's?
+[[nodiscard]] bool has_fault(const SubmissionResult& submission);
+
 /// The faults of a class, each cause once, in the order in which they first appear. Messages that the system gives for
 /// the same trouble (a full disk, say) are one cause, whatever file they name.
 [[nodiscard]] std::vector<Fault> faults(const ClassResult& result);

@@ -140,29 +140,26 @@ void add_matrix_columns(const AnswerTable& table, const Pairs& wrong, const std:
         found.push_back({fmt::format("is wrong in all columns: {}", fmt::join(parts, ", "))});
 }
 
-/// Are they the right ones to the questions before: state that a call leaves behind for the next? Where a question has
-/// several answers, the one before is another one of the same call.
-bool are_of_questions_before(const AnswerTable& table, const Pairs& wrong)
+/// Is each of them what stands in the row before: the right answer there, or the student's own?
+bool are_of_rows_before(const AnswerTable& table, const Pairs& wrong, std::vector<double> AnswerPair::*whose)
 {
-    if (table.several) return false;
     std::set<std::vector<double>> different;
     for (const AnswerPair* one : wrong) {
-        if (one == table.answers.data() || !alike_rows(one->yours, (one - 1)->expected)) return false;
+        if (one == table.answers.data() || !alike_rows(one->yours, (one - 1)->*whose)) return false;
         different.insert(one->yours);
     }
     return different.size() >= least_wrong;
 }
 
-/// Are they, of the rows of a call, those before them once more: an index that was not moved on?
-bool repeat_the_rows_before(const AnswerTable& table, const Pairs& wrong)
+/// State that a call leaves behind for the next; or, where a question has several answers, so that the row before is
+/// another one of the same call, an index that was not moved on.
+std::optional<AnswerPattern> before_once_more(const AnswerTable& table, const Pairs& wrong)
 {
-    if (!table.several) return false;
-    std::set<std::vector<double>> different;
-    for (const AnswerPair* one : wrong) {
-        if (one == table.answers.data() || !alike_rows(one->yours, (one - 1)->yours)) return false;
-        different.insert(one->yours);
-    }
-    return different.size() >= least_wrong;
+    if (!table.several && are_of_rows_before(table, wrong, &AnswerPair::expected))
+        return AnswerPattern{"is the right one to the question before"};
+    if (table.several && are_of_rows_before(table, wrong, &AnswerPair::yours))
+        return AnswerPattern{"is your row before it once more"};
+    return std::nullopt;
 }
 
 /// What each wrong number is, where a row has several, if it is the same for all.
@@ -284,10 +281,7 @@ std::vector<AnswerPattern> answer_patterns(const AnswerTable& table)
         add_components(table, wrong, found);
         // An argument may be the right answer to the question before: that explains more simply.
         const auto vague = std::ranges::find_if(found, [](const AnswerPattern& one) { return is_vague(one.tells); });
-        if (are_of_questions_before(table, wrong))
-            found.insert(vague, {"is the right one to the question before"});
-        else if (repeat_the_rows_before(table, wrong))
-            found.insert(vague, {"is your row before it once more"});
+        if (auto before = before_once_more(table, wrong)) found.insert(vague, *std::move(before));
     } else {
         add_mostly_nearly_right(table, wrong, found);
     }

@@ -16,11 +16,6 @@
 namespace umbral::grader {
 namespace {
 
-/// Of fewer different numbers anything is true by chance.
-constexpr std::size_t least_different = 4;
-
-bool all_same(std::span<const double> a, std::span<const double> b) { return std::ranges::equal(a, b, is_same_number); }
-
 template <class Make>
 std::vector<double> made_of(std::span<const double> a, std::span<const double> b, Make make)
 {
@@ -238,7 +233,7 @@ std::optional<AnswerPattern> relation_of(const WrongVectors& vectors, const std:
 std::optional<int> sign_between(std::span<const double> yours, std::span<const double> others)
 {
     if (yours.size() != others.size() || !are_varied(others)) return std::nullopt;
-    if (all_same(yours, others)) return 1;
+    if (are_same_numbers(yours, others)) return 1;
     if (std::ranges::equal(yours, others, [](double a, double b) { return is_same_number(a, -b); })) return -1;
     return std::nullopt;
 }

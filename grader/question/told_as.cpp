@@ -12,9 +12,6 @@
 namespace umbral::grader {
 namespace {
 
-/// Of fewer different numbers anything is true by chance.
-constexpr std::size_t least_varied = 4;
-
 /// What is told of each of these questions.
 std::vector<double> told_values(const Fact& fact, std::span<const std::size_t> questions)
 {
@@ -23,18 +20,18 @@ std::vector<double> told_values(const Fact& fact, std::span<const std::size_t> q
     return values;
 }
 
+}
+
+bool is_same_number(double a, double b) { return alike(a, b, std::max(std::abs(a), std::abs(b))); }
+
 bool are_same_numbers(std::span<const double> a, std::span<const double> b)
 {
     return std::ranges::equal(a, b, is_same_number);
 }
 
-}
-
-bool is_same_number(double a, double b) { return alike(a, b, std::max(std::abs(a), std::abs(b))); }
-
 bool are_varied(std::span<const double> values)
 {
-    return std::set<double>(values.begin(), values.end()).size() >= least_varied;
+    return std::set<double>(values.begin(), values.end()).size() >= least_different;
 }
 
 std::optional<std::string> told_as(std::span<const double> values, std::span<const std::size_t> questions,

@@ -13,7 +13,13 @@ namespace umbral::grader {
 /// Equal, but for rounding.
 [[nodiscard]] bool is_same_number(double a, double b);
 
-/// Are there so many different ones that what is true of all is no chance?
+/// As many, each equal to the one in its place.
+[[nodiscard]] bool are_same_numbers(std::span<const double> a, std::span<const double> b);
+
+/// Of fewer different numbers anything is true by chance.
+inline constexpr std::size_t least_different = 4;
+
+/// Are there so many?
 [[nodiscard]] bool are_varied(std::span<const double> values);
 
 /// The words of the first number told of the questions that has these values, one for each of `questions` (places in

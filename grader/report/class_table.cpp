@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "model/faults.hpp"
 #include "report/clusters.hpp"
 #include "report/hidden.hpp"
 #include "report/layout.hpp"
@@ -120,8 +121,7 @@ std::string band(const ClassResult& result, const std::vector<std::string>& tota
     Millipoints sum = 0;
     Millipoints whole = 0;
     for (const SubmissionResult& submission : result.submissions) {
-        if (std::ranges::find(submission.units, Verdict::grader_fault, &UnitResult::verdict) != submission.units.end())
-            continue;
+        if (has_fault(submission)) continue;
         sum += submission.score;
         ++whole;
     }

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cmath>
+#include <glm/ext/matrix_relational.hpp>
 #include <kit/varied.hpp>
 #include <umbral/gl/record_trace.hpp>
 #include <umbral/record/driver.hpp>
@@ -135,15 +135,6 @@ std::uint32_t most_activations(const MaterialGraph& graph, std::uint32_t node, c
     return active == before ? count : count + 1;
 }
 
-bool is_nearly(const glm::dmat4& one, const glm::dmat4& other)
-{
-    constexpr double rounding = 1e-4;
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j)
-            if (!(std::abs(one[i][j] - other[i][j]) <= rounding)) return false;
-    return true;
-}
-
 void record_graph(Recorder& out, Random& random, MaterialGraph graph,
                   const std::vector<std::shared_ptr<const SurfaceMaterial>>& materials, bool lighting)
 {
@@ -158,6 +149,7 @@ void record_graph(Recorder& out, Random& random, MaterialGraph graph,
     const bool has_material = lighting || random.below(2) == 0;
     DrawingContext context{pipeline, lighting, has_material ? standard.get() : nullptr};
     const glm::dmat4 matrix = pipeline.now.modelview;
+    constexpr double rounding = 1e-4;  // of its entries, where it is brought back by other matrices
     ask_in_words(out, [&] { return code_of(graph) + (lighting ? "" : " // context.lighting is false"); });
     draw_graph(graph, context);
     record_drawn(out, pipeline);
@@ -169,7 +161,7 @@ void record_graph(Recorder& out, Random& random, MaterialGraph graph,
                           static_cast<float>(pipeline.now.texture),
                           static_cast<float>(pipeline.drawn.size()),
                           static_cast<float>(std::max(most, pipeline.reflections_set) - most),
-                          is_nearly(pipeline.now.modelview, matrix) ? 1.0F : 0.0F};
+                          glm::all(glm::equal(pipeline.now.modelview, matrix, rounding)) ? 1.0F : 0.0F};
     out.columns(
         "pointer",
         "context.material: 1 for the default one; 0 for none; 2 for another, diffuse blue on the pipeline, "

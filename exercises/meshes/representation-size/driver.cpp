@@ -15,26 +15,28 @@ namespace {
 
 using namespace meshes;
 
-// All 64 bits, of which a double has 53: billions, and what is left over.
-void record(Recorder& out, const char* name, std::uint64_t value)
-{
-    constexpr std::uint64_t billion = 1'000'000'000;
-    out.columns(name, "billions, units");
-    out.append(name, glm::dvec2(static_cast<double>(value / billion), static_cast<double>(value % billion)));
-}
+// All 64 bits, in numbers of at most seven digits, which a float holds as they are.
+constexpr const char* in_millions = "million millions, millions, units";
 
-// Several numbers of one answer, a row each: the first says which it is, by what `names` calls them. Floats hold
-// numbers of seven digits as they are.
-void record_each(Recorder& out, const char* name, const char* names, std::initializer_list<std::uint64_t> values)
+glm::vec3 by_millions(std::uint64_t value)
 {
     constexpr std::uint64_t million = 1'000'000;
-    out.columns(name, std::string("number (") + names + "), million millions, millions, units");
+    return {static_cast<float>(value / million / million), static_cast<float>(value / million % million),
+            static_cast<float>(value % million)};
+}
+
+void record(Recorder& out, const char* name, std::uint64_t value)
+{
+    out.columns(name, in_millions);
+    out.append(name, by_millions(value));
+}
+
+// Several numbers of one answer, a row each: the first says which it is, by what `names` calls them.
+void record_each(Recorder& out, const char* name, const char* names, std::initializer_list<std::uint64_t> values)
+{
+    out.columns(name, std::string("number (") + names + "), " + in_millions);
     float which = 0;
-    for (const std::uint64_t value : values) {
-        const float row[] = {which++, static_cast<float>(value / million / million),
-                             static_cast<float>(value / million % million), static_cast<float>(value % million)};
-        out.append(name, row);
-    }
+    for (const std::uint64_t value : values) out.append(name, glm::vec4(which++, by_millions(value)));
 }
 
 void record_counts(Recorder& out, std::uint64_t columns, std::uint64_t rows)
