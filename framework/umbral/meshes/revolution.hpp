@@ -37,7 +37,8 @@ struct TexturedMesh {
 /// of all copies together: the sum without its x part. Where the sum is shorter than 10⁻⁶, the normal is zero.
 ///
 /// Throws std::invalid_argument if M < 2, N < 4, a coordinate is not finite, an x is negative, or all points coincide.
-/// The reference: positions within 1 ulp, s and t within 1 ulp, however many points and copies.
+/// The reference: positions within 1 ulp of the point's x, heights as given, s and t within 1 ulp, however many points
+/// and copies.
 /// Course: lab 3 ("objetos por revolución"), lab 4 ("asignación de coordenadas de textura").
 [[nodiscard]] TexturedMesh revolve(std::span<const glm::vec2> profile, std::uint32_t copies);
 
