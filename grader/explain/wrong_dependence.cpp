@@ -11,6 +11,7 @@
 #include "explain/samples.hpp"
 #include "judge/judges.hpp"
 #include "question/dependence.hpp"
+#include "question/error_dependence.hpp"
 #include "question/movable.hpp"
 #include "question/names.hpp"
 
@@ -136,15 +137,29 @@ public:
         else
             text = fmt::format("your wrong answers change with {}, and the right ones with {} instead",
                                words(one.wrongly), words(one.lacking));
-        std::vector<std::string> names;
-        for (const std::size_t i : one.components)
-            if (i < answers.columns.size()) names.push_back(answers.columns[i]);
-        const bool is_all = one.components.size() == answers.components;
-        if (!is_all) text.insert(0, fmt::format("in {} ", fmt::join(names, ", ")));
-        return text;
+        return in_numbers(one.components, answers) + text;
+    }
+
+    [[nodiscard]] std::string sentence(const ErrorDependence& one, const AskedAnswers& answers) const
+    {
+        return fmt::format("{}{} depends on {} alone", in_numbers(one.components, answers),
+                           one.kind == ErrorKind::factor ? "how many times the right one your wrong answer is"
+                                                         : "the difference of your wrong answer to the right one",
+                           word(one.place));
     }
 
 private:
+    /// "in x, y "; empty where it is all numbers of an answer.
+    [[nodiscard]] static std::string in_numbers(const std::vector<std::size_t>& components,
+                                                const AskedAnswers& answers)
+    {
+        if (components.size() == answers.components) return "";
+        std::vector<std::string> names;
+        for (const std::size_t i : components)
+            if (i < answers.columns.size()) names.push_back(answers.columns[i]);
+        return fmt::format("in {} ", fmt::join(names, ", "));
+    }
+
     [[nodiscard]] std::string word(const MovedPlace& one) const
     {
         std::string text = (one.is_length    ? "the length of "
@@ -168,11 +183,23 @@ private:
 };
 
 /// May it be said of these numbers? Those without a name of their own are told of only if it is all of them.
-bool can_be_named(const Dependence& one, const AskedAnswers& answers)
+bool can_be_named(const std::vector<std::size_t>& components, const AskedAnswers& answers)
 {
-    if (one.components.size() == answers.components) return true;
-    return one.components.size() <= most_named &&
-           std::ranges::all_of(one.components, [&](std::size_t i) { return i < answers.columns.size(); });
+    if (components.size() == answers.components) return true;
+    return components.size() <= most_named &&
+           std::ranges::all_of(components, [&](std::size_t i) { return i < answers.columns.size(); });
+}
+
+/// Of numbers of which nothing else is told, the first.
+std::optional<ErrorDependence> error_to_tell(const Asked& answers, const std::vector<Dependence>& told)
+{
+    for (ErrorDependence& one : error_dependences(answers.all)) {
+        const auto is_told = [&](const Dependence& other) {
+            return std::ranges::find_first_of(one.components, other.components) != one.components.end();
+        };
+        if (std::ranges::none_of(told, is_told) && can_be_named(one.components, answers.named)) return std::move(one);
+    }
+    return std::nullopt;
 }
 
 }
@@ -193,14 +220,16 @@ std::string wrong_dependence(Worker& worker, const AskedCheck& asked, SpareTime&
         });
     if (answers.all.wrong.size() < least_moved) return "";
     std::vector<Dependence> found = dependences(answers.all);
-    std::erase_if(found, [&](const Dependence& one) { return !can_be_named(one, answers.named); });
+    std::erase_if(found, [&](const Dependence& one) { return !can_be_named(one.components, answers.named); });
     // What a number depends on instead says more than that it depends on something.
     std::ranges::stable_sort(found, {},
                              [](const Dependence& one) { return one.wrongly.empty() || one.lacking.empty(); });
     if (found.size() > most_told) found.resize(most_told);
     const Words words(asked.headers, answers.function);
     std::string text;
-    for (const Dependence& one : found) text += (text.empty() ? "" : "; ") + words.sentence(one, answers.named);
+    const auto add = [&](const std::string& sentence) { text += (text.empty() ? "" : "; ") + sentence; };
+    for (const Dependence& one : found) add(words.sentence(one, answers.named));
+    if (const auto error = error_to_tell(answers, found)) add(words.sentence(*error, answers.named));
     return text;
 }
 

@@ -14,6 +14,7 @@
 #include "question/alike.hpp"
 #include "question/answer_columns.hpp"
 #include "question/answer_places.hpp"
+#include "question/answer_range.hpp"
 #include "question/answer_relations.hpp"
 #include "question/list_patterns.hpp"
 #include "question/nearly_right.hpp"
@@ -228,6 +229,14 @@ std::string all_but_one(const AnswerTable& table, const Pairs& wrong, const std:
     return "differs in other numbers than " + columns[right];
 }
 
+/// Bounds that no answer passes, before what they make of the wrong ones: these may all be 0, say.
+void add_range(const AnswerTable& table, const Pairs& wrong, std::vector<AnswerPattern>& found)
+{
+    if (table.picture || !table.kinds.empty()) return;
+    if (auto words = range_of_answers(table, wrong_components(wrong, table.components)))
+        found.push_back({*std::move(words)});
+}
+
 /// What is so of the numbers of an answer, the most telling first.
 void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<AnswerPattern>& found)
 {
@@ -274,6 +283,7 @@ std::vector<AnswerPattern> answer_patterns(const AnswerTable& table)
         return found;
     }
     if (auto said = presence(table, wrong)) return std::move(*said);
+    if (can_be_compared(wrong)) add_range(table, wrong, found);
     if (!table.picture) add_constant(wrong, found);
     add(list_patterns(table, wrong), found);
     add(kind_patterns(table, wrong), found);
