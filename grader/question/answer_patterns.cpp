@@ -54,6 +54,11 @@ void add(std::vector<std::string> words, std::vector<AnswerPattern>& found)
     for (std::string& one : words) found.push_back({std::move(one)});
 }
 
+auto first_vague(std::vector<AnswerPattern>& found)
+{
+    return std::ranges::find_if(found, [](const AnswerPattern& one) { return is_vague(one.tells); });
+}
+
 bool is_missing(const AnswerPair* one) { return one->yours.empty(); }
 bool is_too_much(const AnswerPair* one) { return one->expected.empty(); }
 bool is_finite_number(double x) { return std::isfinite(x); }
@@ -229,12 +234,14 @@ std::string all_but_one(const AnswerTable& table, const Pairs& wrong, const std:
     return "differs in other numbers than " + columns[right];
 }
 
-/// Bounds that no answer passes, before what they make of the wrong ones: these may all be 0, say.
+/// Bounds that no answer passes. That right ones are cut stands before what it makes of the wrong ones: these may all
+/// be 0, say.
 void add_range(const AnswerTable& table, const Pairs& wrong, std::vector<AnswerPattern>& found)
 {
     if (table.picture || !table.kinds.empty()) return;
-    if (auto words = range_of_answers(table, wrong_components(wrong, table.components)))
-        found.push_back({*std::move(words)});
+    auto range = range_of_answers(table, wrong_components(wrong, table.components));
+    if (!range) return;
+    found.insert(range->is_cut ? found.begin() : first_vague(found), {std::move(range->words)});
 }
 
 /// What is so of the numbers of an answer, the most telling first.
@@ -283,15 +290,14 @@ std::vector<AnswerPattern> answer_patterns(const AnswerTable& table)
         return found;
     }
     if (auto said = presence(table, wrong)) return std::move(*said);
-    if (can_be_compared(wrong)) add_range(table, wrong, found);
     if (!table.picture) add_constant(wrong, found);
     add(list_patterns(table, wrong), found);
     add(kind_patterns(table, wrong), found);
     if (can_be_compared(wrong)) {
         add_components(table, wrong, found);
         // An argument may be the right answer to the question before: that explains more simply.
-        const auto vague = std::ranges::find_if(found, [](const AnswerPattern& one) { return is_vague(one.tells); });
-        if (auto before = before_once_more(table, wrong)) found.insert(vague, *std::move(before));
+        if (auto before = before_once_more(table, wrong)) found.insert(first_vague(found), *std::move(before));
+        add_range(table, wrong, found);
     } else {
         add_mostly_nearly_right(table, wrong, found);
     }

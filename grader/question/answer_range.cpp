@@ -81,7 +81,7 @@ bool are_cut(const NumberPairs& wrong, const std::optional<Bound>& lower, const 
 
 }
 
-std::optional<std::string> range_of_answers(const AnswerTable& table, const std::vector<std::size_t>& which)
+std::optional<AnswerRange> range_of_answers(const AnswerTable& table, const std::vector<std::size_t>& which)
 {
     const Numbers numbers = numbers_of(table, which);
     const auto lower = kept_bound(numbers, lower_bounds, -1);
@@ -89,12 +89,16 @@ std::optional<std::string> range_of_answers(const AnswerTable& table, const std:
     if (!lower && !upper) return std::nullopt;
     if (lower && upper && lower->at >= upper->at) return std::nullopt;
     const bool cut = are_cut(numbers.wrong, lower, upper);
-    if (lower && upper)
-        return cut ? fmt::format("is the right one cut to {} to {}", lower->at, upper->at)
-                   : fmt::format("is never below {} or above {}, though right ones are", lower->at, upper->at);
     const Bound& bound = lower ? *lower : *upper;
-    if (cut) return fmt::format("is {} where the right one is {}", bound.at, lower ? "less" : "more");
-    return fmt::format("is never {} {}, though right ones are", lower ? "below" : "above", bound.at);
+    std::string words;
+    if (lower && upper)
+        words = cut ? fmt::format("is the right one cut to {} to {}", lower->at, upper->at)
+                    : fmt::format("is never below {} or above {}, though right ones are", lower->at, upper->at);
+    else if (cut)
+        words = fmt::format("is {} where the right one is {}", bound.at, lower ? "less" : "more");
+    else
+        words = fmt::format("is never {} {}, though right ones are", lower ? "below" : "above", bound.at);
+    return AnswerRange{std::move(words), cut};
 }
 
 }

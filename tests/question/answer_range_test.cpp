@@ -24,6 +24,13 @@ AnswerTable around_zero(Wrong wrong)
     return made;
 }
 
+/// Empty if there is none.
+std::string range_words(const AnswerTable& table)
+{
+    const auto range = range_of_answers(table, {0});
+    return range ? range->words : "";
+}
+
 TEST(AnswerRange, says_that_right_answers_are_cut)
 {
     EXPECT_EQ(first_pattern(around_zero([](double x) { return std::clamp(x, 0.0, 1.0); })),
@@ -35,25 +42,25 @@ TEST(AnswerRange, says_that_right_answers_are_cut)
 TEST(AnswerRange, says_what_answers_never_pass)
 {
     const auto of_cut = [](double x) { return x < -5 ? 0 : 0.5 + 0.5 * std::sin(2 * x); };
-    EXPECT_EQ(range_of_answers(around_zero(of_cut), {0}), "is never below 0, though right ones are")
+    EXPECT_EQ(range_words(around_zero(of_cut)), "is never below 0, though right ones are")
         << "none lies at 1";
-    EXPECT_EQ(range_of_answers(around_zero([&](double x) { return x > 5 ? 1 : of_cut(x); }), {0}),
+    EXPECT_EQ(range_words(around_zero([&](double x) { return x > 5 ? 1 : of_cut(x); })),
               "is never below 0 or above 1, though right ones are");
-    EXPECT_EQ(range_of_answers(around_zero([](double x) { return std::abs(x); }), {0}),
+    EXPECT_EQ(range_words(around_zero([](double x) { return std::abs(x); })),
               "is never below 0, though right ones are");
 }
 
 TEST(AnswerRange, says_nothing_of_constants_and_of_ends_by_chance)
 {
     EXPECT_EQ(first_pattern(around_zero([](double) { return 0; })), "is 0");
-    EXPECT_EQ(range_of_answers(around_zero([](double x) { return x + 1; }), {0}), std::nullopt);
+    EXPECT_EQ(range_words(around_zero([](double x) { return x + 1; })), "");
     for (std::uint32_t seed = 1; seed <= 200; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         Random random(seed);
         const double low = random.uniform(-3, 0);
         const double high = random.uniform(1, 4);
         const auto any = [&](double) { return double{random.uniform(static_cast<float>(low), static_cast<float>(high))}; };
-        EXPECT_EQ(range_of_answers(around_zero(any), {0}), std::nullopt);
+        EXPECT_EQ(range_words(around_zero(any)), "");
     }
 }
 

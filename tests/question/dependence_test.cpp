@@ -8,7 +8,7 @@
 #include "question/movable.hpp"
 #include "question/moved_answers.hpp"
 
-namespace umbral::grader::test {
+namespace umbral::grader::moved_test {
 namespace {
 
 double length(const Asked& a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }

@@ -7,17 +7,17 @@
 
 #include "question/moved_answers.hpp"
 
-namespace umbral::grader::test {
+namespace umbral::grader::moved_test {
 namespace {
 
-const MovedPlace top{"f", "0.top"};
+const MovedPlace of_top{"f", "0.top"};
 
 TEST(ErrorDependence, a_factor_is_made_of_one_argument_in_a_wrong_way)
 {
     const auto found =
         error_dependences(answers([](const Asked& a) { return std::vector{a.left * a.size / std::tan(a.top)}; },
                                   [](const Asked& a) { return std::vector{a.left * a.size / std::tan(a.top / 2)}; }));
-    EXPECT_EQ(found, (std::vector<ErrorDependence>{{{0}, ErrorKind::factor, top}}));
+    EXPECT_EQ(found, (std::vector<ErrorDependence>{{{0}, ErrorKind::factor, of_top}}));
 }
 
 TEST(ErrorDependence, a_term_is_made_of_one_argument_in_a_wrong_way)
@@ -25,7 +25,7 @@ TEST(ErrorDependence, a_term_is_made_of_one_argument_in_a_wrong_way)
     const auto found =
         error_dependences(answers([](const Asked& a) { return std::vector{a.left, a.left * a.size + 2 * a.top}; },
                                   [](const Asked& a) { return std::vector{a.left, a.left * a.size + a.top * a.top}; }));
-    EXPECT_EQ(found, (std::vector<ErrorDependence>{{{1}, ErrorKind::difference, top}}));
+    EXPECT_EQ(found, (std::vector<ErrorDependence>{{{1}, ErrorKind::difference, of_top}}));
 }
 
 TEST(ErrorDependence, nothing_is_said_where_all_depends_on_one_argument_or_the_error_on_several)

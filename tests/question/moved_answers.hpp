@@ -5,7 +5,7 @@
 
 #include "question/dependence.hpp"
 
-namespace umbral::grader::test {
+namespace umbral::grader::moved_test {
 
 /// Arguments of a function "f" of three numbers and a vector.
 struct Asked {
