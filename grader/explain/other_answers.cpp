@@ -16,28 +16,27 @@ void ask_at_once(Worker& worker, const AskedCheck& asked, std::uint64_t seed, st
                  SpareTime& time)
 {
     if (others.empty() || !time.is_left()) return;
-    Inquiry inquiry;
-    for (const OtherAnswers& one : others) inquiry.others.push_back(one.question);
+    std::vector<OtherQuestion> questions;
+    for (const OtherAnswers& one : others) questions.push_back(one.question);
     const Check& check = asked.check;
-    RunOutcome right;
+    MadeOnce<RunOutcome>::Pointer right;
     RunOutcome yours;
     at_once(
         worker,
         [&](Worker& one) {
-            yours =
-                one.run_moved(asked.exercise, asked.runs.built(), check.case_name, seed, inquiry.others, check.value);
+            yours = one.run_moved(asked.exercise, asked.runs.built(), check.case_name, seed, questions, check.value);
         },
         [&](Worker& one) {
-            right = one.inquire(asked.exercise, judged_against(check), check.case_name, seed, inquiry);
+            right = one.answers_to_others(asked.exercise, judged_against(check), check.case_name, seed, questions);
         });
-    time.spend(SpareTime::cost_of(right) + SpareTime::cost_of(yours));
-    if (right.verdict != Verdict::ok || yours.verdict != Verdict::ok) {
+    time.spend(SpareTime::cost_of(*right) + SpareTime::cost_of(yours));
+    if (right->verdict != Verdict::ok || yours.verdict != Verdict::ok) {
         if (others.size() == 1) return;
         ask_at_once(worker, asked, seed, others.first(others.size() / 2), time);
         ask_at_once(worker, asked, seed, others.subspan(others.size() / 2), time);
         return;
     }
-    std::vector<RunOutcome> right_runs = runs_of_others(right, others.size());
+    std::vector<RunOutcome> right_runs = runs_of_others(*right, others.size());
     std::vector<RunOutcome> your_runs = runs_of_others(yours, others.size());
     for (std::size_t i = 0; i < others.size(); ++i) {
         others[i].answered = true;

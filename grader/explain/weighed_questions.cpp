@@ -80,19 +80,20 @@ struct WeighedCase {
 void weigh_at_once(Worker& worker, const WeighedCase& one, std::span<WeighedQuestion> candidates, SpareTime& time)
 {
     if (candidates.empty() || !time.is_left()) return;
-    Inquiry inquiry;
-    for (const WeighedQuestion& candidate : candidates) inquiry.others.push_back(candidate.question);
+    std::vector<OtherQuestion> others;
+    for (const WeighedQuestion& candidate : candidates) others.push_back(candidate.question);
     const CaseChecks& group = one.group;
     const Limits limits =
         limits_for(one.exercise.limits, one.plain.cpu_seconds * static_cast<double>(1 + candidates.size()));
-    const RunOutcome run = time.spent_on(
-        worker.inquire(one.exercise, Answers::reference, group.name, group.result->seed, inquiry, limits));
-    if (run.verdict != Verdict::ok && candidates.size() > 1) {
+    const auto run = worker.answers_to_others(one.exercise, Answers::reference, group.name, group.result->seed,
+                                              std::move(others), limits);
+    time.spend(SpareTime::cost_of(*run));
+    if (run->verdict != Verdict::ok && candidates.size() > 1) {
         weigh_at_once(worker, one, candidates.first(candidates.size() / 2), time);
         weigh_at_once(worker, one, candidates.subspan(candidates.size() / 2), time);
         return;
     }
-    const std::vector<RunOutcome> runs = runs_of_others(run, candidates.size());
+    const std::vector<RunOutcome> runs = runs_of_others(*run, candidates.size());
     for (std::size_t i = 0; i < candidates.size(); ++i) weigh(group, one.log, runs[i], candidates[i]);
 }
 

@@ -1,12 +1,15 @@
 #include "worker/shared_runs.hpp"
 
-#include <utility>
-
 namespace umbral::grader {
 namespace {
 
 /// Enough for the visible cases of a good part of a course; hidden seeds differ by student and push old runs out.
-constexpr std::size_t most_remembered = std::size_t{256} << 20U;
+constexpr std::size_t most_in_runs = std::size_t{256} << 20U;
+constexpr std::size_t most_in_answers = std::size_t{128} << 20U;
+constexpr std::size_t most_in_questions = std::size_t{192} << 20U;
+constexpr std::size_t most_in_codes = std::size_t{16} << 20U;
+/// What a question takes beside its numbers: its place in a map, and a list's head.
+constexpr std::size_t bytes_of_a_question = 96;
 
 std::size_t bytes_of(const RunOutcome& outcome)
 {
@@ -15,47 +18,35 @@ std::size_t bytes_of(const RunOutcome& outcome)
     return bytes;
 }
 
+std::size_t bytes_of(const QuestionLog& log)
+{
+    std::size_t bytes = sizeof log;
+    for (const QuestionKind& kind : log.kinds)
+        bytes += kind.questions.size() * (bytes_of_a_question + kind.features.size() * sizeof(double));
+    return bytes;
 }
 
-SharedRuns::Run SharedRuns::get(const std::string& key, const std::function<RunOutcome()>& make)
+std::size_t bytes_of(const SharedRuns::Texts& texts)
 {
-    std::promise<Run> promise;
-    std::shared_future<Run> others;
-    {
-        const std::lock_guard lock(mutex_);
-        const auto [place, is_first] = runs_.try_emplace(key);
-        if (is_first)
-            place->second = promise.get_future().share();
-        else
-            others = place->second;
-    }
-    if (others.valid()) return others.get();
-    try {
-        Run run = std::make_shared<const RunOutcome>(make());
-        promise.set_value(run);
-        count(*run);
-        return run;
-    } catch (...) {
-        forget(key);
-        promise.set_exception(std::current_exception());
-        throw;
-    }
+    std::size_t bytes = sizeof texts;
+    for (const auto& [question, text] : texts) bytes += bytes_of_a_question + text.size();
+    return bytes;
 }
 
-void SharedRuns::forget(const std::string& key)
+template <class Value>
+MadeOnce<Value> remembering(std::size_t most)
 {
-    const std::lock_guard lock(mutex_);
-    runs_.erase(key);
+    return MadeOnce<Value>(most, [](const Value& value) { return bytes_of(value); });
 }
 
-void SharedRuns::count(const RunOutcome& outcome)
+}
+
+SharedRuns::SharedRuns()
+    : runs(remembering<RunOutcome>(most_in_runs)),
+      answers_to_others(remembering<RunOutcome>(most_in_answers)),
+      questions(remembering<QuestionLog>(most_in_questions)),
+      codes(remembering<Texts>(most_in_codes))
 {
-    const std::lock_guard lock(mutex_);
-    bytes_ += bytes_of(outcome);
-    if (bytes_ <= most_remembered) return;
-    // Who waits for one that is being made holds its future.
-    runs_.clear();
-    bytes_ = 0;
 }
 
 }

@@ -1,14 +1,17 @@
 #include "worker/worker.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <umbral/record/cost.hpp>
 
 #include "build/build_cache.hpp"
 #include "judge/judges.hpp"
 #include "model/caps.hpp"
 #include "model/digest.hpp"
+#include "run/inquiry_json.hpp"
 #include "worker/ask_question.hpp"
 #include "worker/case_results.hpp"
 #include "worker/kept_outcomes.hpp"
@@ -21,10 +24,7 @@
 namespace umbral::grader {
 namespace {
 
-/// Of questions, which tell more than they take when they are asked again; of runs SharedRuns has its own.
-constexpr std::size_t most_question_bytes = std::size_t{48} << 20U;
-/// What each takes beside its numbers: its place in a map, and a list's head.
-constexpr std::size_t bytes_of_a_question = 96;
+/// Of runs, questions and their code SharedRuns has its own bounds.
 constexpr std::size_t most_bases = 50'000;
 
 std::string key_of(const Exercise& exercise, const std::string& who, const std::string& case_name, std::uint64_t seed)
@@ -164,23 +164,38 @@ RunOutcome Worker::inquire(const Exercise& exercise, Answers solution, const std
     return run_now(exercise, wanted);
 }
 
+MadeOnce<RunOutcome>::Pointer Worker::answers_to_others(const Exercise& exercise, Answers solution,
+                                                        const std::string& case_name, std::uint64_t seed,
+                                                        std::vector<OtherQuestion> others,
+                                                        const std::optional<Limits>& limits)
+{
+    const Inquiry inquiry{.others = std::move(others)};
+    const std::string who = fmt::format("{} asked {}", to_string(solution), to_json(inquiry).dump());
+    const auto ask = [&] { return inquire(exercise, solution, case_name, seed, inquiry, limits); };
+    return runs_->answers_to_others.get(sha256_hex(key_of(exercise, who, case_name, seed)), ask);
+}
+
 const QuestionLog& Worker::questions(const Exercise& exercise, const std::string& case_name, std::uint64_t seed)
 {
     const std::string key = key_of(exercise, "questions", case_name, seed);
-    if (const auto found = questions_.find(key); found != questions_.end()) return found->second;
-    const RunOutcome told = inquire(exercise, Answers::reference, case_name, seed, {.questions = true});
-    QuestionLog log = told.verdict == Verdict::ok ? read_questions(told.recording.tensors) : QuestionLog{};
-    for (const QuestionKind& kind : log.kinds)
-        questions_bytes_ += kind.questions.size() * (bytes_of_a_question + kind.features.size() * sizeof(double));
-    return questions_.emplace(key, std::move(log)).first->second;
+    if (const auto found = used_questions_.find(key); found != used_questions_.end()) return *found->second;
+    const auto ask = [&] {
+        const RunOutcome told = inquire(exercise, Answers::reference, case_name, seed, {.questions = true});
+        return told.verdict == Verdict::ok ? read_questions(told.recording.tensors) : QuestionLog{};
+    };
+    return *used_questions_.emplace(key, runs_->questions.get(key, ask)).first->second;
 }
 
 std::map<std::uint32_t, std::string> Worker::code_of(const Exercise& exercise, const std::string& case_name,
                                                      std::uint64_t seed, std::vector<std::uint32_t> questions)
 {
-    const RunOutcome told = inquire(exercise, Answers::reference, case_name, seed, {.wanted = std::move(questions)});
-    if (told.verdict != Verdict::ok) return {};
-    return read_questions(told.recording.tensors).code;
+    const std::string who = fmt::format("code of {}", fmt::join(questions, " "));
+    const auto ask = [&] {
+        const RunOutcome told =
+            inquire(exercise, Answers::reference, case_name, seed, {.wanted = std::move(questions)});
+        return told.verdict == Verdict::ok ? read_questions(told.recording.tensors).code : SharedRuns::Texts();
+    };
+    return *runs_->codes.get(key_of(exercise, who, case_name, seed), ask);
 }
 
 RunOutcome Worker::answer_of(const Exercise& exercise, const std::filesystem::path& library,
@@ -249,7 +264,7 @@ const RunOutcome& Worker::known(const Exercise& exercise, const std::string& who
         if (outcome.verdict == Verdict::ok && outcome.recording.oversized.empty()) try_to_keep(file, outcome);
         return outcome;
     };
-    return *used_.emplace(key, runs_->get(key, kept_or_run)).first->second;
+    return *used_.emplace(key, runs_->runs.get(key, kept_or_run)).first->second;
 }
 
 Worker* Worker::second()
@@ -265,10 +280,8 @@ void Worker::let_go()
 {
     if (second_) second_->let_go();
     used_.clear();
-    if (questions_bytes_ <= most_question_bytes && bases_.size() <= most_bases) return;
-    questions_.clear();
-    bases_.clear();
-    questions_bytes_ = 0;
+    used_questions_.clear();
+    if (bases_.size() > most_bases) bases_.clear();
 }
 
 }

@@ -123,12 +123,19 @@ public:
                                      std::uint64_t seed, const Inquiry& inquiry,
                                      const std::optional<Limits>& limits = std::nullopt);
 
+    /// What a trusted solution answers to others in place of a case's questions, as inquire() says, but remembered, how
+    /// it ended too: the same mistake is looked for in the work of many.
+    [[nodiscard]] MadeOnce<RunOutcome>::Pointer answers_to_others(const Exercise& exercise, Answers solution,
+                                                                  const std::string& case_name, std::uint64_t seed,
+                                                                  std::vector<OtherQuestion> others,
+                                                                  const std::optional<Limits>& limits = std::nullopt);
+
     /// The reference's questions in one case, without their code; remembered as other trusted runs are, but on no disk.
     [[nodiscard]] const QuestionLog& questions(const Exercise& exercise, const std::string& case_name,
                                                std::uint64_t seed);
 
     /// Some of these questions as code that can be pasted into a program; those that the run did not come to are not
-    /// there. Nothing is kept.
+    /// there. Remembered as the questions are.
     [[nodiscard]] std::map<std::uint32_t, std::string> code_of(const Exercise& exercise, const std::string& case_name,
                                                                std::uint64_t seed,
                                                                std::vector<std::uint32_t> questions);
@@ -216,10 +223,9 @@ private:
     SpareTime spare_time_;
     double run_seconds_ = 0;
     std::shared_ptr<SharedRuns> runs_ = std::make_shared<SharedRuns>();
-    std::map<std::string, SharedRuns::Run> used_;
-    std::map<std::string, QuestionLog> questions_;
+    std::map<std::string, MadeOnce<RunOutcome>::Pointer> used_;
+    std::map<std::string, MadeOnce<QuestionLog>::Pointer> used_questions_;
     std::map<std::string, CheckBasis> bases_;
-    std::size_t questions_bytes_ = 0;
     bool may_have_second_ = false;
     std::unique_ptr<Worker> second_;
 };
