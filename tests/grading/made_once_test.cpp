@@ -21,7 +21,7 @@ RunOutcome run_of(double seconds, std::size_t bytes = 0)
 }
 
 using Runs = MadeOnce<RunOutcome>;
-using Run = Runs::Pointer;
+using KeptRun = Runs::Pointer;
 constexpr std::size_t mebibyte = std::size_t{1} << 20U;
 
 /// Remembers 8 MiB of what is recorded as "value".
@@ -35,10 +35,10 @@ TEST(MadeOnce, makes_each_run_once_for_all_who_ask_at_the_same_time)
 {
     Runs runs = remembering();
     std::atomic<int> made = 0;
-    std::vector<Run> got(4);
+    std::vector<KeptRun> got(4);
     {
         std::vector<std::jthread> threads;
-        for (Run& one : got)
+        for (KeptRun& one : got)
             threads.emplace_back([&] {
                 one = runs.get("sphere", [&] {
                     ++made;
@@ -48,14 +48,14 @@ TEST(MadeOnce, makes_each_run_once_for_all_who_ask_at_the_same_time)
             });
     }
     EXPECT_EQ(made, 1);
-    for (const Run& one : got) EXPECT_EQ(one, got.front());
+    for (const KeptRun& one : got) EXPECT_EQ(one, got.front());
     EXPECT_EQ(got.front()->cpu_seconds, 3);
 }
 
 TEST(MadeOnce, may_need_another_run)
 {
     Runs runs = remembering();
-    const Run run =
+    const KeptRun run =
         runs.get("mistake", [&] { return run_of(1 + runs.get("reference", [] { return run_of(1); })->cpu_seconds); });
     EXPECT_EQ(run->cpu_seconds, 2);
 }
@@ -74,7 +74,7 @@ TEST(MadeOnce, forgets_what_was_not_asked_for_lately_and_leaves_what_is_in_use)
     const auto seconds = [&](const char* key, double if_made) {
         return runs.get(key, [&] { return run_of(if_made, 2 * mebibyte); })->cpu_seconds;
     };
-    const Run first = runs.get("first", [] { return run_of(1, 2 * mebibyte); });
+    const KeptRun first = runs.get("first", [] { return run_of(1, 2 * mebibyte); });
     for (const char* const key : {"second", "third", "fourth", "fifth", "sixth"}) {
         EXPECT_EQ(seconds(key, 2), 2);
         EXPECT_EQ(seconds("first", 5), 1) << "it is asked for again and again";
