@@ -35,6 +35,18 @@ std::vector<AnswerPattern> patterns_of(const AskedSample& sample, const AskedSam
     return found;
 }
 
+/// Are the right answers yes or no, each often enough that wrong ones of both kinds are to be expected?
+bool are_mixed_bits(const AnswerTable& table)
+{
+    constexpr std::size_t least_part = 4;  ///< of all
+    std::size_t yes = 0;
+    for (const AnswerPair& one : table.answers) {
+        if (one.expected.size() != 1 || (one.expected[0] != 0 && one.expected[0] != 1)) return false;
+        yes += one.expected[0] == 1 ? 1 : 0;
+    }
+    return least_part * std::min(yes, table.answers.size() - yes) >= table.answers.size();
+}
+
 /// Keeps the patterns that many wrong answers of other cases have, too: what is so in one case only may come of its
 /// inputs.
 void keep_shared(OtherCases& others, const AskedSample& here, std::vector<AnswerPattern>& patterns)
@@ -51,7 +63,8 @@ void keep_shared(OtherCases& others, const AskedSample& here, std::vector<Answer
         return ++tried < most_denying && !patterns.empty();
     });
     // On which side wrong ones lie is the inputs' doing more often than the mistake's.
-    if (tried == 0) std::erase_if(patterns, [](const AnswerPattern& one) { return one.tells == CommonTells::side; });
+    if (tried == 0 && !are_mixed_bits(here.answers))
+        std::erase_if(patterns, [](const AnswerPattern& one) { return one.tells == CommonTells::side; });
 }
 
 /// Keeps the patterns that the wrong answers to questions of other kinds have as well, which nothing is told of.

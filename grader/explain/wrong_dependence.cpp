@@ -56,6 +56,46 @@ void append(std::vector<double>& all, const std::vector<double>& more, std::size
     all.resize(size, std::nan(""));
 }
 
+/// How many numbers each question led to, one a row; 1 where it is not the same number for all, or too many to name.
+std::size_t rows_of_each(const AskedAnswers& answers, std::size_t rows)
+{
+    constexpr std::size_t most_rows = 4;
+    if (answers.components != 1 || answers.all.size() != rows) return 1;
+    const auto is_other = [&](const AskedAnswer& one) { return one.question != answers.all.front().question; };
+    const auto second = std::ranges::find_if(answers.all, is_other);
+    const auto each = static_cast<std::size_t>(second - answers.all.begin());
+    if (each > most_rows || rows % each != 0) return 1;
+    for (std::size_t i = 0; i < rows; ++i) {
+        const AskedAnswer& one = answers.all[i];
+        const bool is_first = i % each == 0;
+        const bool is_as_before = i > 0 && one.question == answers.all[i - 1].question;
+        if (one.row != i || is_first == is_as_before) return 1;
+    }
+    return each;
+}
+
+/// The numbers that a question led to, one a row, as the numbers of one row, where all questions led to as many: each
+/// may depend on other things.
+AskedAnswers in_rows_of_questions(AskedAnswers answers, std::size_t rows)
+{
+    const std::size_t each = rows_of_each(answers, rows);
+    if (each == 1) return answers;
+    std::vector<AskedAnswer> joined;
+    for (AskedAnswer& one : answers.all) {
+        if (*one.row % each == 0) {
+            joined.push_back(std::move(one));
+            joined.back().row = *joined.back().row / each;
+        } else {
+            joined.back().answer.wrong = joined.back().answer.wrong || one.answer.wrong;
+        }
+    }
+    answers.all = std::move(joined);
+    answers.components = each;
+    answers.columns.clear();
+    for (std::size_t i = 1; i <= each; ++i) answers.columns.push_back(fmt::format("number {} of {}", i, each));
+    return answers;
+}
+
 /// Answers of a check with the inputs of several seeds, and of other checks of the same function.
 class Asked {
 public:
@@ -65,18 +105,20 @@ public:
     void add(const AskedCheck& asked, std::uint64_t seed)
     {
         const Check& check = asked.check;
-        AskedAnswers answers = asked_answers(worker_, asked, seed);
+        AskedAnswers as_judged = asked_answers(worker_, asked, seed);
         const QuestionLog& log = worker_.questions(asked.exercise, check.case_name, seed);
-        if (function.empty()) function = function_asked_most(answers, log);
+        if (function.empty()) function = function_asked_most(as_judged, log);
         const RunOutcome& expected = worker_.trusted(asked.exercise, judged_against(check), check.case_name, seed);
         const Tensor* const right = tensor_of(expected, check.value);
         const Tensor* const yours = observed(check, asked.runs.plain(seed));
         // A shader has no such name; to draw as often takes too long.
         const bool is_called = function.find("::") != std::string::npos;
-        if (!is_called || (asked.exercise.gl && leaves_picture(expected)) || answers.picture ||
-            (!all.moved.empty() && answers.components != all.components) || right == nullptr || !well_formed(*right) ||
-            !has_single_rows(check, yours, right) || right->cells() * right->components > most_moved_cells)
+        if (!is_called || (asked.exercise.gl && leaves_picture(expected)) || as_judged.picture || right == nullptr ||
+            !well_formed(*right) || !has_single_rows(check, yours, right) ||
+            right->cells() * right->components > most_moved_cells)
             return;
+        AskedAnswers answers = in_rows_of_questions(std::move(as_judged), right->cells());
+        if (!all.moved.empty() && answers.components != all.components) return;
         std::vector<OtherAnswers> others;
         for (OtherQuestion& move : moves_of(log, function))
             if (others.size() < most_moved) others.push_back({std::move(move)});
@@ -99,7 +141,7 @@ private:
     void add_rows(const AskedAnswers& answers, const QuestionLog& log, const Tensor& right, const Tensor* yours,
                   std::vector<MovedAnswers> moved)
     {
-        all.components = right.components;
+        all.components = answers.components;
         const std::size_t first_row = all.right.size() / all.components;
         for (const AskedAnswer& answer : answers.all) {
             const QuestionKind* const kind = answer.answer.wrong && answer.row ? log.kind_of(answer.question) : nullptr;

@@ -25,8 +25,11 @@ std::optional<std::string> saved_triptych(Worker& worker, const Exercise& exerci
     if (student == nullptr || expected.tensor == nullptr || !can_be_drawn(check, *expected.tensor)) return std::nullopt;
     make_artefact_folder(options.artefacts);
     const std::filesystem::path file = options.artefacts / artefact_name(exercise, check, ".png");
-    write_png(file, triptych(to_image(*student, check), to_image(*expected.tensor, check), expected.words,
-                             judge_of(check).look == Look::light ? check.judge : image_kind()));
+    // A class has thousands of them.
+    write_png(file,
+              triptych(to_image(*student, check), to_image(*expected.tensor, check), expected.words,
+                       judge_of(check).look == Look::light ? check.judge : image_kind()),
+              Packing::fast);
     return std::filesystem::relative(file, options.relative_to).string();
 }
 

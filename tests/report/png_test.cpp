@@ -51,6 +51,8 @@ TEST(Png, is_read_by_open_cv_pixel_for_pixel)
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) ASSERT_EQ(rgba(read, x, y), image.at(x, y)) << x << ' ' << y;
         EXPECT_EQ(read_png(folder / "a.png").cells, image.cells);
+        write_png(folder / "a.png", image, Packing::fast);
+        EXPECT_EQ(read_png(folder / "a.png").cells, image.cells);
     }
     EXPECT_EQ(folder.count(), 1) << "temporary files were left";
 }

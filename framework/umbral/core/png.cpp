@@ -154,7 +154,7 @@ void write_file_atomically(const std::filesystem::path& path, std::span<const st
     file.keep();
 }
 
-void write_png(const std::filesystem::path& path, const Image& image)
+void write_png(const std::filesystem::path& path, const Image& image, Packing packing)
 {
     if (image.cells.empty() || image.cells.size() > maximum_png_pixels)
         throw std::invalid_argument(path.string() + ": a PNG holds 1 to " + std::to_string(maximum_png_pixels) +
@@ -164,6 +164,7 @@ void write_png(const std::filesystem::path& path, const Image& image)
     png.width = static_cast<png_uint_32>(image.width);
     png.height = static_cast<png_uint_32>(image.height);
     png.format = PNG_FORMAT_RGBA;
+    if (packing == Packing::fast) png.flags |= PNG_IMAGE_FLAG_FAST;
 
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
     std::vector<std::byte> bytes(size);
