@@ -31,7 +31,8 @@ std::vector<Dependence> dependences(const AnswersToMoves& answers)
             if (right.changes() && yours.stays()) lacking.insert(moved_place(answers.moved[m].move));
         }
         if (is_constant) continue;
-        Dependence one{{i}, joined_places(std::move(wrongly), most_places), joined_places(std::move(lacking), most_places)};
+        Dependence one{
+            {i}, joined_places(std::move(wrongly), most_places), joined_places(std::move(lacking), most_places)};
         if (one.wrongly.empty() && (one.lacking.empty() || !is_like_right)) continue;
         const auto same = std::ranges::find_if(
             all, [&](const Dependence& other) { return other.wrongly == one.wrongly && other.lacking == one.lacking; });

@@ -35,15 +35,16 @@ TEST(AnswerRange, says_that_right_answers_are_cut)
 {
     EXPECT_EQ(first_pattern(around_zero([](double x) { return std::clamp(x, 0.0, 1.0); })),
               "is the right one cut to 0 to 1");
-    EXPECT_EQ(first_pattern(around_zero([](double x) { return std::max(x, 0.0); })), "is 0 where the right one is less");
-    EXPECT_EQ(first_pattern(around_zero([](double x) { return std::min(x, 1.0); })), "is 1 where the right one is more");
+    EXPECT_EQ(first_pattern(around_zero([](double x) { return std::max(x, 0.0); })),
+              "is 0 where the right one is less");
+    EXPECT_EQ(first_pattern(around_zero([](double x) { return std::min(x, 1.0); })),
+              "is 1 where the right one is more");
 }
 
 TEST(AnswerRange, says_what_answers_never_pass)
 {
     const auto of_cut = [](double x) { return x < -5 ? 0 : 0.5 + 0.5 * std::sin(2 * x); };
-    EXPECT_EQ(range_words(around_zero(of_cut)), "is never below 0, though right ones are")
-        << "none lies at 1";
+    EXPECT_EQ(range_words(around_zero(of_cut)), "is never below 0, though right ones are") << "none lies at 1";
     EXPECT_EQ(range_words(around_zero([&](double x) { return x > 5 ? 1 : of_cut(x); })),
               "is never below 0 or above 1, though right ones are");
     EXPECT_EQ(range_words(around_zero([](double x) { return std::abs(x); })),
@@ -59,7 +60,9 @@ TEST(AnswerRange, says_nothing_of_constants_and_of_ends_by_chance)
         Random random(seed);
         const double low = random.uniform(-3, 0);
         const double high = random.uniform(1, 4);
-        const auto any = [&](double) { return double{random.uniform(static_cast<float>(low), static_cast<float>(high))}; };
+        const auto any = [&](double) {
+            return double{random.uniform(static_cast<float>(low), static_cast<float>(high))};
+        };
         EXPECT_EQ(range_words(around_zero(any)), "");
     }
 }

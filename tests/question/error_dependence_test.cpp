@@ -22,9 +22,13 @@ TEST(ErrorDependence, a_factor_is_made_of_one_argument_in_a_wrong_way)
 
 TEST(ErrorDependence, a_term_is_made_of_one_argument_in_a_wrong_way)
 {
-    const auto found =
-        error_dependences(answers([](const Asked& a) { return std::vector{a.left, a.left * a.size + 2 * a.top}; },
-                                  [](const Asked& a) { return std::vector{a.left, a.left * a.size + a.top * a.top}; }));
+    const auto found = error_dependences(answers(
+        [](const Asked& a) {
+            return std::vector{a.left, a.left * a.size + 2 * a.top};
+        },
+        [](const Asked& a) {
+            return std::vector{a.left, a.left * a.size + a.top * a.top};
+        }));
     EXPECT_EQ(found, (std::vector<ErrorDependence>{{{1}, ErrorKind::difference, of_top}}));
 }
 
