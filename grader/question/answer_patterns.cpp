@@ -204,36 +204,6 @@ void add_side(const AnswerTable& table, const Pairs& wrong, const std::vector<st
         found.push_back({fmt::format("is {} in each number that differs", *side), CommonTells::side});
 }
 
-/// Is this number the least of each wrong row, on both sides?
-bool is_least_in_rows(const AnswerTable& table, const Pairs& wrong, std::size_t number)
-{
-    const auto is_least = [&](const std::vector<double>& rows) {
-        for (std::size_t at = 0; at + table.components <= rows.size(); at += table.components)
-            for (std::size_t i = table.keys; i < table.components; ++i)
-                if (rows[at + i] < rows[at + number]) return false;
-        return true;
-    };
-    return std::ranges::all_of(wrong,
-                               [&](const AnswerPair* one) { return is_least(one->yours) && is_least(one->expected); });
-}
-
-/// "differs in other numbers than y", of three numbers or more that have names, where y is not the same everywhere. Not
-/// where it is the least: of indices that begin with the smallest the first is right by itself.
-std::string all_but_one(const AnswerTable& table, const Pairs& wrong, const std::vector<std::size_t>& which,
-                        const std::vector<std::string>& columns)
-{
-    constexpr std::size_t least_values = 4;
-    const std::size_t numbers = table.components - table.keys;
-    if (numbers < 3 || which.size() + 1 != numbers || columns.size() != table.components || table.picture) return {};
-    std::size_t right = table.keys;
-    while (std::ranges::find(which, right) != which.end()) ++right;
-    if (right == table.components || which.front() < table.keys) return {};
-    const NumberPairs same = numbers_in(wrong, table.components, {right});
-    if (std::set(same.right.begin(), same.right.end()).size() < least_values) return {};
-    if (is_least_in_rows(table, wrong, right)) return {};
-    return "differs in other numbers than " + columns[right];
-}
-
 /// Bounds that no answer passes. That right ones are cut stands before what it makes of the wrong ones: these may all
 /// be 0, say.
 void add_range(const AnswerTable& table, const Pairs& wrong, std::vector<AnswerPattern>& found)

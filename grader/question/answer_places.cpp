@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "question/alike.hpp"
 #include "question/answer_columns.hpp"
+#include "question/wrong_numbers.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -31,6 +33,19 @@ bool is_matrix(const AnswerTable& table)
 {
     const bool square = table.components == 9 || table.components == 16;
     return square && table.columns.size() == table.components && table.columns.front().starts_with("entry ");
+}
+
+/// Is this number the least of each wrong row, on both sides?
+bool is_least_in_rows(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong, std::size_t number)
+{
+    const auto is_least = [&](const std::vector<double>& rows) {
+        for (std::size_t at = 0; at + table.components <= rows.size(); at += table.components)
+            for (std::size_t i = table.keys; i < table.components; ++i)
+                if (rows[at + i] < rows[at + number]) return false;
+        return true;
+    };
+    return std::ranges::all_of(wrong,
+                               [&](const AnswerPair* one) { return is_least(one->yours) && is_least(one->expected); });
 }
 
 }
@@ -73,6 +88,21 @@ std::string place_of(const AnswerTable& table, const std::vector<std::size_t>& w
                                                             : fmt::format("number {}", i));
     return which.size() == 1 ? fmt::format("differs in {} only", names.front())
                              : fmt::format("differs in nothing but {}", fmt::join(names, ", "));
+}
+
+std::string all_but_one(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong,
+                        const std::vector<std::size_t>& which, const std::vector<std::string>& columns)
+{
+    constexpr std::size_t least_values = 4;
+    const std::size_t numbers = table.components - table.keys;
+    if (numbers < 3 || which.size() + 1 != numbers || columns.size() != table.components || table.picture) return {};
+    std::size_t right = table.keys;
+    while (std::ranges::find(which, right) != which.end()) ++right;
+    if (right == table.components || which.front() < table.keys) return {};
+    const NumberPairs same = numbers_in(wrong, table.components, {right});
+    if (std::set(same.right.begin(), same.right.end()).size() < least_values) return {};
+    if (is_least_in_rows(table, wrong, right)) return {};
+    return "differs in other numbers than " + columns[right];
 }
 
 }

@@ -18,4 +18,9 @@ namespace umbral::grader {
 [[nodiscard]] std::string place_of(const AnswerTable& table, const std::vector<std::size_t>& which,
                                    const std::vector<std::string>& columns);
 
+/// "differs in other numbers than y", of three numbers or more that have names, where y is not the same everywhere. Not
+/// where it is the least: of indices that begin with the smallest the first is right by itself.
+[[nodiscard]] std::string all_but_one(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong,
+                                      const std::vector<std::size_t>& which, const std::vector<std::string>& columns);
+
 }
