@@ -61,5 +61,23 @@ TEST_F(DependenceOfProducts, survives_what_the_code_does_with_other_arguments)
     }
 }
 
+class DependenceOfErrors : public SpoiltReference {
+protected:
+    DependenceOfErrors() : SpoiltReference("projections/fit-frustum") {}
+};
+
+// Near and far plane of a call stand in two rows; the second is not the right one times anything.
+TEST_F(DependenceOfErrors, names_the_only_argument_that_they_depend_on)
+{
+    const UnitResult result = grade("std::tan(fovy_degrees * (std::numbers::pi / 360))",
+                                    "(2 * std::tan(fovy_degrees * (std::numbers::pi / 720)))");
+    const std::string told = depends(result);
+    const std::string begin =
+        "in number 1 of 2 your wrong answers are multiples of the right ones, and which depends on fovy_degrees alone "
+        "(";
+    EXPECT_TRUE(told.starts_with(begin)) << told;
+    EXPECT_NE(told.find(" times where it is "), std::string::npos) << told;
+}
+
 }
 }
