@@ -62,28 +62,6 @@ std::size_t rows_of_each(const AskedAnswers& answers, std::size_t rows)
     return each;
 }
 
-/// The numbers that a question led to, one a row, as the numbers of one row, where all questions led to as many: each
-/// may depend on other things.
-AskedAnswers in_rows_of_questions(AskedAnswers answers, std::size_t rows)
-{
-    const std::size_t each = rows_of_each(answers, rows);
-    if (each == 1) return answers;
-    std::vector<AskedAnswer> joined;
-    for (AskedAnswer& one : answers.all) {
-        if (*one.row % each == 0) {
-            joined.push_back(std::move(one));
-            joined.back().row = *joined.back().row / each;
-        } else {
-            joined.back().answer.wrong = joined.back().answer.wrong || one.answer.wrong;
-        }
-    }
-    answers.all = std::move(joined);
-    answers.components = each;
-    answers.columns.clear();
-    for (std::size_t i = 1; i <= each; ++i) answers.columns.push_back(fmt::format("number {} of {}", i, each));
-    return answers;
-}
-
 }
 
 std::optional<double> GivenNumbers::at(const MovedPlace& place) const
@@ -96,20 +74,19 @@ std::optional<double> GivenNumbers::at(const MovedPlace& place) const
 void MovedSamples::add(const AskedCheck& asked, std::uint64_t seed)
 {
     const Check& check = asked.check;
-    AskedAnswers as_judged = asked_answers(worker_, asked, seed);
+    AskedAnswers answers = asked_answers(worker_, asked, seed);
     const QuestionLog& log = worker_.questions(asked.exercise, check.case_name, seed);
-    if (function_.empty()) function_ = function_asked_most(as_judged, log);
+    if (function_.empty()) function_ = function_asked_most(answers, log);
     const RunOutcome& expected = worker_.trusted(asked.exercise, judged_against(check), check.case_name, seed);
     const Tensor* const right = tensor_of(expected, check.value);
     const Tensor* const yours = observed(check, asked.runs.plain(seed));
     // A shader has no such name; to draw as often takes too long.
     const bool is_called = function_.find("::") != std::string::npos;
-    if (!is_called || (asked.exercise.gl && leaves_picture(expected)) || as_judged.picture || right == nullptr ||
+    if (!is_called || (asked.exercise.gl && leaves_picture(expected)) || answers.picture || right == nullptr ||
         !well_formed(*right) || !has_single_rows(check, yours, right) ||
         right->cells() * right->components > most_moved_cells)
         return;
-    AskedAnswers answers = in_rows_of_questions(std::move(as_judged), right->cells());
-    if (!all_.moved.empty() && answers.components != all_.components) return;
+    if (!table_.all.moved.empty() && answers.components != table_.all.components) return;
     std::vector<OtherAnswers> others;
     for (OtherQuestion& move : moves_of(log, function_))
         if (others.size() < most_moved) others.push_back({std::move(move)});
@@ -121,31 +98,56 @@ void MovedSamples::add(const AskedCheck& asked, std::uint64_t seed)
         moved.push_back({std::move(one.question), numbers_of(tensor_of(one.yours, check.value), *right),
                          numbers_of(tensor_of(one.right, check.value), *right)});
     add_rows(answers, log, *right, yours, std::move(moved));
-    if (named_.all.empty()) named_ = std::move(answers);
+    const std::size_t each = rows_of_each(answers, right->cells());
+    rows_of_each_ = rows_of_each_.value_or(each) == each ? each : 1;
+    if (table_.named.all.empty()) table_.named = std::move(answers);
 }
 
 void MovedSamples::add_rows(const AskedAnswers& answers, const QuestionLog& log, const Tensor& right,
                             const Tensor* yours, std::vector<MovedAnswers> moved)
 {
-    all_.components = answers.components;
-    const std::size_t first_row = all_.right.size() / all_.components;
+    table_.all.components = answers.components;
+    const std::size_t first_row = table_.all.right.size() / table_.all.components;
     for (const AskedAnswer& answer : answers.all) {
         const QuestionKind* const kind = answer.answer.wrong && answer.row ? log.kind_of(answer.question) : nullptr;
         if (kind == nullptr || kind->function != function_) continue;
-        all_.wrong.push_back(first_row + *answer.row);
-        given_.push_back({kind, answer.question});
+        table_.all.wrong.push_back(first_row + *answer.row);
+        table_.given.push_back({kind, answer.question});
     }
-    all_.ends.push_back(all_.wrong.size());
-    const std::size_t size = all_.right.size() + right.cells() * right.components;
-    append(all_.right, numbers_of(&right, right), size);
-    append(all_.yours, numbers_of(yours, right), size);
-    if (all_.moved.empty())
-        for (const MovedAnswers& each : moved) all_.moved.push_back({each.move});
-    for (MovedAnswers& each : all_.moved) {
+    table_.all.ends.push_back(table_.all.wrong.size());
+    const std::size_t size = table_.all.right.size() + right.cells() * right.components;
+    append(table_.all.right, numbers_of(&right, right), size);
+    append(table_.all.yours, numbers_of(yours, right), size);
+    if (table_.all.moved.empty())
+        for (const MovedAnswers& each : moved) table_.all.moved.push_back({each.move});
+    for (MovedAnswers& each : table_.all.moved) {
         const auto now = std::ranges::find(moved, each.move, &MovedAnswers::move);
         append(each.yours, now == moved.end() ? std::vector<double>() : now->yours, size);
         append(each.right, now == moved.end() ? std::vector<double>() : now->right, size);
     }
+}
+
+std::optional<MovedTable> MovedSamples::by_questions() const
+{
+    const std::size_t each = rows_of_each_.value_or(1);
+    if (each == 1) return std::nullopt;
+    MovedTable joined = table_;
+    joined.all.components = joined.named.components = each;
+    joined.named.columns.clear();
+    for (std::size_t i = 1; i <= each; ++i) joined.named.columns.push_back(fmt::format("number {} of {}", i, each));
+    joined.all.wrong.clear();
+    joined.all.ends.clear();
+    joined.given.clear();
+    for (std::size_t i = 0; i <= table_.all.wrong.size(); ++i) {
+        if (std::ranges::find(table_.all.ends, i) != table_.all.ends.end())
+            joined.all.ends.push_back(joined.given.size());
+        if (i == table_.all.wrong.size()) break;
+        const std::size_t row = table_.all.wrong[i] / each;
+        if (!joined.all.wrong.empty() && joined.all.wrong.back() == row) continue;
+        joined.all.wrong.push_back(row);
+        joined.given.push_back(table_.given[i]);
+    }
+    return joined;
 }
 
 }

@@ -20,9 +20,15 @@ struct GivenNumbers {
     [[nodiscard]] std::optional<double> at(const MovedPlace& place) const;
 };
 
-/// Answers of a check with the inputs of several seeds, and of other checks of the same function, and what becomes of
-/// them as each argument of the function is moved a little. Numbers that a question led to one a row stand in one row,
-/// where all questions led to as many. Not to be used when the worker has let go of its runs.
+/// Answers, and what becomes of them as each argument of the function is moved a little.
+struct MovedTable {
+    AskedAnswers named{};  ///< the first of them, as they were asked
+    AnswersToMoves all{};
+    std::vector<GivenNumbers> given{};  ///< what the wrong rows of `all` answer, one by one
+};
+
+/// Collects answers of a check with the inputs of several seeds, and of other checks of the same function. Not to be
+/// used when the worker has let go of its runs.
 class MovedSamples {
 public:
     MovedSamples(Worker& worker, SpareTime& time) : worker_(worker), time_(time) {}
@@ -32,11 +38,10 @@ public:
     void add(const AskedCheck& asked, std::uint64_t seed);
 
     [[nodiscard]] const std::string& function() const noexcept { return function_; }
-    /// The first that were added.
-    [[nodiscard]] const AskedAnswers& named() const noexcept { return named_; }
-    [[nodiscard]] const AnswersToMoves& all() const noexcept { return all_; }
-    /// What the wrong rows of all() answer, one by one.
-    [[nodiscard]] const std::vector<GivenNumbers>& given() const noexcept { return given_; }
+    [[nodiscard]] const MovedTable& table() const noexcept { return table_; }
+    /// The table where the numbers that a question led to, one a row, are those of one row: each may depend on other
+    /// things. Nothing where not all questions led to as many, two or a few more.
+    [[nodiscard]] std::optional<MovedTable> by_questions() const;
 
 private:
     void add_rows(const AskedAnswers& answers, const QuestionLog& log, const Tensor& right, const Tensor* yours,
@@ -45,9 +50,8 @@ private:
     Worker& worker_;
     SpareTime& time_;
     std::string function_;
-    AskedAnswers named_;
-    AnswersToMoves all_;
-    std::vector<GivenNumbers> given_;
+    MovedTable table_;
+    std::optional<std::size_t> rows_of_each_;  ///< question; 1 where it is not the same number everywhere
 };
 
 }

@@ -32,15 +32,15 @@ struct ErrorAt {
 };
 
 /// The wrong answers where that number is least, and where it is most; nothing if they do not differ.
-std::optional<std::pair<ErrorAt, ErrorAt>> least_and_most(const ErrorDependence& one, const MovedSamples& answers)
+std::optional<std::pair<ErrorAt, ErrorAt>> least_and_most(const ErrorDependence& one, const MovedTable& answers)
 {
     std::vector<ErrorAt> all;
-    for (std::size_t i = 0; i < answers.given().size(); ++i) {
-        const std::optional<double> given = answers.given()[i].at(one.place);
+    for (std::size_t i = 0; i < answers.given.size(); ++i) {
+        const std::optional<double> given = answers.given[i].at(one.place);
         if (!given) return std::nullopt;
-        const std::size_t number = answers.all().wrong[i] * answers.all().components + one.components.front();
-        const double yours = answers.all().yours.at(number);
-        const double right = answers.all().right.at(number);
+        const std::size_t number = answers.all.wrong[i] * answers.all.components + one.components.front();
+        const double yours = answers.all.yours.at(number);
+        const double right = answers.all.right.at(number);
         const double error = one.kind == ErrorKind::factor ? yours / right : yours - right;
         if (std::isfinite(error)) all.push_back({*given, error});
     }
@@ -67,10 +67,10 @@ public:
         return in_numbers(one.components, answers) + text;
     }
 
-    [[nodiscard]] std::string sentence(const ErrorDependence& one, const MovedSamples& answers) const
+    [[nodiscard]] std::string sentence(const ErrorDependence& one, const MovedTable& answers) const
     {
         const bool is_factor = one.kind == ErrorKind::factor;
-        std::string text = in_numbers(one.components, answers.named());
+        std::string text = in_numbers(one.components, answers.named);
         text += is_factor ? "your wrong answers are multiples of the right ones, and which depends on "
                           : "what your wrong answers are more than the right ones depends on ";
         text += word(one.place) + " alone";
@@ -122,15 +122,32 @@ bool can_be_named(const std::vector<std::size_t>& components, const AskedAnswers
 }
 
 /// Of numbers of which nothing else is told, the first.
-std::optional<ErrorDependence> error_to_tell(const MovedSamples& answers, const std::vector<Dependence>& told)
+std::optional<ErrorDependence> error_to_tell(const MovedTable& answers, const std::vector<Dependence>& told)
 {
-    for (ErrorDependence& one : error_dependences(answers.all())) {
+    for (ErrorDependence& one : error_dependences(answers.all)) {
         const auto is_told = [&](const Dependence& other) {
             return std::ranges::find_first_of(one.components, other.components) != one.components.end();
         };
-        if (std::ranges::none_of(told, is_told) && can_be_named(one.components, answers.named())) return std::move(one);
+        if (std::ranges::none_of(told, is_told) && can_be_named(one.components, answers.named)) return std::move(one);
     }
     return std::nullopt;
+}
+
+/// All that is told of answers; empty if there are too few wrong ones.
+std::string sentences(const MovedTable& answers, const Words& words)
+{
+    if (answers.all.wrong.size() < least_moved) return "";
+    std::vector<Dependence> found = dependences(answers.all);
+    std::erase_if(found, [&](const Dependence& one) { return !can_be_named(one.components, answers.named); });
+    // What a number depends on instead says more than that it depends on something.
+    std::ranges::stable_sort(found, {},
+                             [](const Dependence& one) { return one.wrongly.empty() || one.lacking.empty(); });
+    if (found.size() > most_told) found.resize(most_told);
+    std::string text;
+    const auto add = [&](const std::string& sentence) { text += (text.empty() ? "" : "; ") + sentence; };
+    for (const Dependence& one : found) add(words.sentence(one, answers.named));
+    if (const auto error = error_to_tell(answers, found)) add(words.sentence(*error, answers));
+    return text;
 }
 
 }
@@ -142,26 +159,19 @@ std::string wrong_dependence(Worker& worker, const AskedCheck& asked, SpareTime&
     answers.add(asked, input_seed(asked, 0));
     answers.add(asked, varied_seed(asked, fresh_place));
     if (!asked.exercise.gl) answers.add(asked, varied_seed(asked, fresh_place + 1));
-    if (answers.all().moved.empty()) return "";
-    const auto is_enough = [&] { return answers.all().wrong.size() >= enough_moved || !time.is_left(); };
+    const MovedTable& table = answers.table();
+    if (table.all.moved.empty()) return "";
+    const auto is_enough = [&] { return table.all.wrong.size() >= enough_moved || !time.is_left(); };
     if (asked.others)
         asked.others([&](const AskedCheck& other) {
             if (!is_enough()) answers.add(other, input_seed(other, 0));
             return !is_enough();
         });
-    if (answers.all().wrong.size() < least_moved) return "";
-    std::vector<Dependence> found = dependences(answers.all());
-    std::erase_if(found, [&](const Dependence& one) { return !can_be_named(one.components, answers.named()); });
-    // What a number depends on instead says more than that it depends on something.
-    std::ranges::stable_sort(found, {},
-                             [](const Dependence& one) { return one.wrongly.empty() || one.lacking.empty(); });
-    if (found.size() > most_told) found.resize(most_told);
     const Words words(asked.headers, answers.function());
-    std::string text;
-    const auto add = [&](const std::string& sentence) { text += (text.empty() ? "" : "; ") + sentence; };
-    for (const Dependence& one : found) add(words.sentence(one, answers.named()));
-    if (const auto error = error_to_tell(answers, found)) add(words.sentence(*error, answers));
-    return text;
+    std::string text = sentences(table, words);
+    if (!text.empty()) return text;
+    const auto by_questions = answers.by_questions();
+    return by_questions ? sentences(*by_questions, words) : "";
 }
 
 }
