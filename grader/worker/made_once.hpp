@@ -49,6 +49,14 @@ public:
         }
     }
 
+    /// It is made again for the next who asks.
+    void forget(const std::string& key)
+    {
+        const std::lock_guard lock(mutex_);
+        lately_.erase(key);
+        earlier_.erase(key);
+    }
+
 private:
     struct Entry {
         std::shared_future<Pointer> made;
@@ -65,13 +73,6 @@ private:
         lately_.insert(std::move(before));
         add(entry.bytes);
         return entry.made;
-    }
-
-    void forget(const std::string& key)
-    {
-        const std::lock_guard lock(mutex_);
-        lately_.erase(key);
-        earlier_.erase(key);
     }
 
     void count(const std::string& key, std::size_t bytes)

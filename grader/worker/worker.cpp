@@ -172,18 +172,26 @@ MadeOnce<RunOutcome>::Pointer Worker::answers_to_others(const Exercise& exercise
     const Inquiry inquiry{.others = std::move(others)};
     const std::string who = fmt::format("{} asked {}", to_string(solution), to_json(inquiry).dump());
     const auto ask = [&] { return inquire(exercise, solution, case_name, seed, inquiry, limits); };
-    return runs_->answers_to_others.get(sha256_hex(key_of(exercise, who, case_name, seed)), ask);
+    const std::string key = sha256_hex(key_of(exercise, who, case_name, seed));
+    auto answers = runs_->answers_to_others.get(key, ask);
+    // The machine may have been the reason.
+    if (answers->verdict != Verdict::ok) runs_->answers_to_others.forget(key);
+    return answers;
 }
 
 const QuestionLog& Worker::questions(const Exercise& exercise, const std::string& case_name, std::uint64_t seed)
 {
     const std::string key = key_of(exercise, "questions", case_name, seed);
     if (const auto found = used_questions_.find(key); found != used_questions_.end()) return *found->second;
+    bool ended_well = true;
     const auto ask = [&] {
         const RunOutcome told = inquire(exercise, Answers::reference, case_name, seed, {.questions = true});
-        return told.verdict == Verdict::ok ? read_questions(told.recording.tensors) : QuestionLog{};
+        ended_well = told.verdict == Verdict::ok;
+        return ended_well ? read_questions(told.recording.tensors) : QuestionLog{};
     };
-    return *used_questions_.emplace(key, runs_->questions.get(key, ask)).first->second;
+    const auto place = used_questions_.emplace(key, runs_->questions.get(key, ask)).first;
+    if (!ended_well) runs_->questions.forget(key);
+    return *place->second;
 }
 
 std::map<std::uint32_t, std::string> Worker::code_of(const Exercise& exercise, const std::string& case_name,
@@ -195,7 +203,10 @@ std::map<std::uint32_t, std::string> Worker::code_of(const Exercise& exercise, c
             inquire(exercise, Answers::reference, case_name, seed, {.wanted = std::move(questions)});
         return told.verdict == Verdict::ok ? read_questions(told.recording.tensors).code : SharedRuns::Texts();
     };
-    return *runs_->codes.get(key_of(exercise, who, case_name, seed), ask);
+    const std::string key = key_of(exercise, who, case_name, seed);
+    const auto codes = runs_->codes.get(key, ask);
+    if (codes->empty()) runs_->codes.forget(key);
+    return *codes;
 }
 
 RunOutcome Worker::answer_of(const Exercise& exercise, const std::filesystem::path& library,

@@ -68,6 +68,16 @@ TEST(MadeOnce, tries_again_what_could_not_be_made)
     EXPECT_EQ(runs.get("sphere", [] { return run_of(4); })->cpu_seconds, 4);
 }
 
+TEST(MadeOnce, makes_again_what_it_was_told_to_forget)
+{
+    Runs runs = remembering();
+    const KeptRun first = runs.get("sphere", [] { return run_of(1); });
+    runs.forget("sphere");
+    runs.forget("no such key");
+    EXPECT_EQ(runs.get("sphere", [] { return run_of(2); })->cpu_seconds, 2);
+    EXPECT_EQ(first->cpu_seconds, 1);
+}
+
 TEST(MadeOnce, forgets_what_was_not_asked_for_lately_and_leaves_what_is_in_use)
 {
     Runs runs = remembering();
