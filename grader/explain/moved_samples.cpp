@@ -16,7 +16,6 @@ namespace {
 constexpr std::size_t most_moved = 64;
 constexpr std::size_t most_moved_cells = 20'000;  ///< of a table
 constexpr double most_seconds_of_runs = 1;        ///< of the reference's
-constexpr double seconds_of_a_call = 2.5e-6;      ///< that may be changed, more than it takes by itself
 
 /// What is to be moved: the function's own arguments, and those of the functions that made or changed its objects.
 std::vector<OtherQuestion> moves_of(const QuestionLog& log, const std::string& function)
@@ -27,14 +26,6 @@ std::vector<OtherQuestion> moves_of(const QuestionLog& log, const std::string& f
     for (const std::string& before : history->second)
         if (before != function) std::ranges::copy(movable(log, before), std::back_inserter(moves));
     return moves;
-}
-
-/// How many calls a case makes.
-std::size_t calls_in(const QuestionLog& log)
-{
-    std::size_t calls = 0;
-    for (const QuestionKind& kind : log.kinds) calls += kind.questions.size();
-    return calls;
 }
 
 /// The numbers of a table as large as `like`; NaN where there is none.
@@ -100,8 +91,7 @@ void MovedSamples::add(const AskedCheck& asked, std::uint64_t seed)
     for (OtherQuestion& move : moves_of(log, function_))
         if (others.size() < most_moved) others.push_back({std::move(move)});
     if (others.empty()) return;
-    const double seconds_of_each = expected.cpu_seconds + seconds_of_a_call * static_cast<double>(calls_in(log));
-    if (seconds_of_each * static_cast<double>(others.size()) > most_seconds_of_runs) return;
+    if (seconds_of_other(expected, log) * static_cast<double>(others.size()) > most_seconds_of_runs) return;
     ask_both(worker_, asked, seed, others, time_);
     std::vector<MovedAnswers> moved;
     for (OtherAnswers& one : others)

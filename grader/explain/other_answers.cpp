@@ -62,6 +62,14 @@ std::vector<RunOutcome> runs_of_others(const RunOutcome& run, std::size_t count)
     return runs;
 }
 
+double seconds_of_other(const RunOutcome& plain, const QuestionLog& log)
+{
+    constexpr double seconds_of_a_call = 2.5e-6;
+    std::size_t calls = 0;
+    for (const QuestionKind& kind : log.kinds) calls += kind.questions.size();
+    return plain.cpu_seconds + seconds_of_a_call * static_cast<double>(calls);
+}
+
 void ask_both(Worker& worker, const AskedCheck& asked, std::uint64_t seed, std::span<OtherAnswers> others,
               SpareTime& time)
 {

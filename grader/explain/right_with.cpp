@@ -136,7 +136,7 @@ private:
         const RunOutcome& expected =
             worker_.trusted(asked_.exercise, judged_against(asked_.check), asked_.check.case_name, once.seed);
         const bool draws = asked_.exercise.gl && leaves_picture(expected);
-        const double seconds = std::max(expected.cpu_seconds, draws ? least_gl_seconds : 1e-4);
+        const double seconds = std::max(seconds_of_other(expected, log), draws ? least_gl_seconds : 1e-4);
         const auto most = static_cast<std::size_t>(most_seconds_of_changes / seconds);
         std::vector<OtherQuestion> simpler = simpler_questions(log, function_, asked_.headers);
         // Less of a mesh is less of a picture, whatever is wrong with it.
