@@ -123,8 +123,8 @@ public:
                                      std::uint64_t seed, const Inquiry& inquiry,
                                      const std::optional<Limits>& limits = std::nullopt);
 
-    /// What a trusted solution answers to others in place of a case's questions, as inquire() says, but remembered if it
-    /// ended well: the same mistake is looked for in the work of many.
+    /// What a trusted solution answers to others in place of a case's questions, as inquire() says, but remembered if
+    /// it ended well: the same mistake is looked for in the work of many.
     [[nodiscard]] MadeOnce<RunOutcome>::Pointer answers_to_others(const Exercise& exercise, Answers solution,
                                                                   const std::string& case_name, std::uint64_t seed,
                                                                   std::vector<OtherQuestion> others,
