@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "explain/asked_answers.hpp"
-#include "question/dependence.hpp"
+#include "question/reactions.hpp"
 #include "worker/spare_time.hpp"
 
 namespace umbral::grader {

@@ -122,9 +122,10 @@ bool can_be_named(const std::vector<std::size_t>& components, const AskedAnswers
 }
 
 /// Of numbers of which nothing else is told, the first.
-std::optional<ErrorDependence> error_to_tell(const MovedTable& answers, const std::vector<Dependence>& told)
+std::optional<ErrorDependence> error_to_tell(const MovedTable& answers, const std::vector<MoveReactions>& moves,
+                                             const std::vector<Dependence>& told)
 {
-    for (ErrorDependence& one : error_dependences(answers.all)) {
+    for (ErrorDependence& one : error_dependences(moves)) {
         const auto is_told = [&](const Dependence& other) {
             return std::ranges::find_first_of(one.components, other.components) != one.components.end();
         };
@@ -137,7 +138,8 @@ std::optional<ErrorDependence> error_to_tell(const MovedTable& answers, const st
 std::string sentences(const MovedTable& answers, const Words& words)
 {
     if (answers.all.wrong.size() < least_moved) return "";
-    std::vector<Dependence> found = dependences(answers.all);
+    const std::vector<MoveReactions> moves = reactions(answers.all);
+    std::vector<Dependence> found = dependences(moves);
     std::erase_if(found, [&](const Dependence& one) { return !can_be_named(one.components, answers.named); });
     // What a number depends on instead says more than that it depends on something.
     std::ranges::stable_sort(found, {},
@@ -146,7 +148,7 @@ std::string sentences(const MovedTable& answers, const Words& words)
     std::string text;
     const auto add = [&](const std::string& sentence) { text += (text.empty() ? "" : "; ") + sentence; };
     for (const Dependence& one : found) add(words.sentence(one, answers.named));
-    if (const auto error = error_to_tell(answers, found)) add(words.sentence(*error, answers));
+    if (const auto error = error_to_tell(answers, moves, found)) add(words.sentence(*error, answers));
     return text;
 }
 

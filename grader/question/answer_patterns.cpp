@@ -209,7 +209,7 @@ void add_side(const AnswerTable& table, const Pairs& wrong, const std::vector<st
 void add_range(const AnswerTable& table, const Pairs& wrong, std::vector<AnswerPattern>& found)
 {
     if (table.picture || !table.kinds.empty()) return;
-    auto range = range_of_answers(table, wrong_components(wrong, table.components));
+    auto range = range_of_answers(table, wrong, wrong_components(wrong, table.components));
     if (!range) return;
     found.insert(range->is_cut ? found.begin() : first_vague(found), {std::move(range->words)});
 }

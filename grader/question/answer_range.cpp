@@ -6,10 +6,8 @@
 #include <array>
 #include <cmath>
 #include <set>
-#include <span>
 
 #include "question/alike.hpp"
-#include "question/number_changes.hpp"
 #include "question/wrong_numbers.hpp"
 
 namespace umbral::grader {
@@ -26,17 +24,15 @@ struct Numbers {
     double size = 0;              ///< of the right ones
 };
 
-Numbers numbers_of(const AnswerTable& table, const std::vector<std::size_t>& which)
+Numbers numbers_of(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong,
+                   const std::vector<std::size_t>& which)
 {
-    Numbers numbers;
-    std::vector<const AnswerPair*> wrong;
+    Numbers numbers{numbers_in(wrong, table.components, which)};
     for (const AnswerPair& one : table.answers) {
-        if (one.wrong) wrong.push_back(&one);
         numbers.size = std::max(numbers.size, size_of(one.expected));
         for (std::size_t at = 0; at + table.components <= one.yours.size(); at += table.components)
             for (const std::size_t i : which) numbers.yours.push_back(one.yours[at + i]);
     }
-    numbers.wrong = numbers_in(wrong, table.components, which);
     return numbers;
 }
 
@@ -81,9 +77,10 @@ bool are_cut(const NumberPairs& wrong, const std::optional<Bound>& lower, const 
 
 }
 
-std::optional<AnswerRange> range_of_answers(const AnswerTable& table, const std::vector<std::size_t>& which)
+std::optional<AnswerRange> range_of_answers(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong,
+                                            const std::vector<std::size_t>& which)
 {
-    const Numbers numbers = numbers_of(table, which);
+    const Numbers numbers = numbers_of(table, wrong, which);
     const auto lower = kept_bound(numbers, lower_bounds, -1);
     const auto upper = kept_bound(numbers, upper_bounds, 1);
     if (!lower && !upper) return std::nullopt;

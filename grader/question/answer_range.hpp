@@ -18,6 +18,7 @@ struct AnswerRange {
 /// the numbers of a row in these places, in all answers, wrong or not. Nothing if fewer than least_wrong right ones are
 /// beyond a bound, or if no answer lies at it: then it is where they end by chance.
 [[nodiscard]] std::optional<AnswerRange> range_of_answers(const AnswerTable& table,
+                                                          const std::vector<const AnswerPair*>& wrong,
                                                           const std::vector<std::size_t>& which);
 
 }

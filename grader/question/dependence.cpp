@@ -4,7 +4,6 @@
 #include <set>
 
 #include "question/moved_places.hpp"
-#include "question/reactions.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -13,22 +12,21 @@ constexpr std::size_t most_places = 3;  ///< that are told, of what answers chan
 
 }
 
-std::vector<Dependence> dependences(const AnswersToMoves& answers)
+std::vector<Dependence> dependences(const std::vector<MoveReactions>& moves)
 {
     std::vector<Dependence> all;
-    const std::vector<std::vector<Reactions>> all_reactions = reactions(answers);
-    for (std::size_t i = 0; i < answers.components; ++i) {
+    for (std::size_t i = 0; i < numbers_of_answer(moves); ++i) {
         std::set<MovedPlace> wrongly;
         std::set<MovedPlace> lacking;
         bool is_constant = true;
         bool is_like_right = false;  ///< something is used as it should be
-        for (std::size_t m = 0; m < answers.moved.size(); ++m) {
-            const Reaction& yours = all_reactions[m][i].yours;
-            const Reaction& right = all_reactions[m][i].right;
+        for (const MoveReactions& move : moves) {
+            const Reaction& yours = move.numbers[i].yours;
+            const Reaction& right = move.numbers[i].right;
             is_constant = is_constant && yours.changed == 0;
             is_like_right = is_like_right || (yours.changes() && right.changes());
-            if (yours.changes() && right.stays()) wrongly.insert(moved_place(answers.moved[m].move));
-            if (right.changes() && yours.stays()) lacking.insert(moved_place(answers.moved[m].move));
+            if (yours.changes() && right.stays()) wrongly.insert(move.place);
+            if (right.changes() && yours.stays()) lacking.insert(move.place);
         }
         if (is_constant) continue;
         Dependence one{

@@ -5,24 +5,23 @@
 #include <set>
 
 #include "question/moved_places.hpp"
-#include "question/reactions.hpp"
 
 namespace umbral::grader {
 namespace {
 
 /// The only place with which this error of a number changes. Nothing if there are more or none, if for some move it is
 /// neither clear that it changes nor that it stays, or if the right numbers change with nothing else.
-std::optional<MovedPlace> only_place(const AnswersToMoves& answers, std::size_t number,
-                                     const std::vector<std::vector<Reactions>>& all, Reaction Reactions::*error)
+std::optional<MovedPlace> only_place(const std::vector<MoveReactions>& moves, std::size_t number,
+                                     Reaction Reactions::*error)
 {
     std::set<MovedPlace> places;
     bool others_matter = false;
-    for (std::size_t m = 0; m < answers.moved.size(); ++m) {
-        const Reactions& reactions = all[m][number];
+    for (const MoveReactions& move : moves) {
+        const Reactions& reactions = move.numbers[number];
         const Reaction& of_error = reactions.*error;
         if (reactions.right.seen == 0) continue;
         if (of_error.changes())
-            places.insert(moved_place(answers.moved[m].move));
+            places.insert(move.place);
         else if (!of_error.stays())
             return std::nullopt;
         else
@@ -34,16 +33,15 @@ std::optional<MovedPlace> only_place(const AnswersToMoves& answers, std::size_t 
 
 }
 
-std::vector<ErrorDependence> error_dependences(const AnswersToMoves& answers)
+std::vector<ErrorDependence> error_dependences(const std::vector<MoveReactions>& moves)
 {
     std::vector<ErrorDependence> all;
-    const std::vector<std::vector<Reactions>> moved = reactions(answers);
-    for (std::size_t i = 0; i < answers.components; ++i) {
+    for (std::size_t i = 0; i < numbers_of_answer(moves); ++i) {
         ErrorKind kind = ErrorKind::factor;
-        auto place = only_place(answers, i, moved, &Reactions::factor);
+        auto place = only_place(moves, i, &Reactions::factor);
         if (!place) {
             kind = ErrorKind::difference;
-            place = only_place(answers, i, moved, &Reactions::difference);
+            place = only_place(moves, i, &Reactions::difference);
         }
         if (!place) continue;
         const auto same = std::ranges::find_if(

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "question/dependence.hpp"
+#include "question/reactions.hpp"
 
 namespace umbral::grader {
 
@@ -26,6 +26,6 @@ struct ErrorDependence {
 /// Numbers whose error changes with a single place, where right ones change with others too: in a product or a sum one
 /// term is wrong, and that is the place of which it is made. Nothing of errors that are the same everywhere, which
 /// answer_patterns tells.
-[[nodiscard]] std::vector<ErrorDependence> error_dependences(const AnswersToMoves& answers);
+[[nodiscard]] std::vector<ErrorDependence> error_dependences(const std::vector<MoveReactions>& moves);
 
 }

@@ -4,7 +4,7 @@
 #include <set>
 #include <vector>
 
-#include "question/dependence.hpp"
+#include "question/reactions.hpp"
 
 namespace umbral::grader {
 

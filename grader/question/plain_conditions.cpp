@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "judge/rows/whole_number.hpp"
+
 namespace umbral::grader {
 namespace {
 
@@ -82,8 +84,6 @@ void add_tie(const std::vector<Fact>& facts, std::size_t i, std::vector<Possible
 }
 
 }
-
-bool is_whole_number(double x) { return std::isfinite(x) && x == std::round(x); }
 
 int cost_of(const Fact& fact)
 {

@@ -10,8 +10,6 @@ namespace umbral::grader {
 /// number is.
 [[nodiscard]] int cost_of(const Fact& fact);
 
-[[nodiscard]] bool is_whole_number(double number);
-
 /// Is it the least or the largest number of a whole list? Whichever that is, it is hardly ever the reason.
 [[nodiscard]] bool is_extreme_of_list(const Fact& fact);
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "judge/rows/whole_number.hpp"
 #include "question/plain_conditions.hpp"
 #include "question/rounded.hpp"
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "question/alike.hpp"
+#include "question/moved_places.hpp"
 
 #include <umbral/record/not_finite.hpp>
 
@@ -131,11 +132,12 @@ bool Reaction::changes() const { return seen >= least_answers && is_steady && 2 
 
 bool Reaction::stays() const { return seen >= least_answers && still == seen; }
 
-std::vector<std::vector<Reactions>> reactions(const AnswersToMoves& answers)
+std::vector<MoveReactions> reactions(const AnswersToMoves& answers)
 {
     const std::vector<RowNumbers> sets = wrong_rows(answers);
-    std::vector<std::vector<Reactions>> all;
-    for (const MovedAnswers& moved : answers.moved) all.push_back(reactions_to(moved, answers, sets));
+    std::vector<MoveReactions> all;
+    for (const MovedAnswers& moved : answers.moved)
+        all.push_back({moved_place(moved.move), reactions_to(moved, answers, sets)});
     return all;
 }
 

@@ -6,6 +6,7 @@
 #include "explaining.hpp"
 #include "judge/events/events.hpp"
 #include "judge/rows/alignment.hpp"
+#include "longest_alignment.hpp"
 
 namespace umbral::grader::test {
 namespace {
@@ -189,16 +190,6 @@ TEST(Events, a_full_recording_takes_bounded_time)
     EXPECT_EQ(judged(other, expected).right, 0);
 }
 
-/// The length of a longest common subsequence by the textbook's table.
-std::size_t longest(const std::string& a, const std::string& b)
-{
-    std::vector<std::vector<std::size_t>> table(a.size() + 1, std::vector<std::size_t>(b.size() + 1, 0));
-    for (std::size_t i = 0; i < a.size(); ++i)
-        for (std::size_t j = 0; j < b.size(); ++j)
-            table[i + 1][j + 1] = a[i] == b[j] ? table[i][j] + 1 : std::max(table[i][j + 1], table[i + 1][j]);
-    return table[a.size()][b.size()];
-}
-
 Alignment aligned(const std::string& a, const std::string& b)
 {
     return align(a.size(), b.size(), [&](std::size_t i, std::size_t j) { return a[i] == b[j]; });
@@ -215,15 +206,8 @@ TEST(Alignment, is_a_longest_one)
         };
         const std::string a = word();
         const std::string b = word();
-        const Alignment found = aligned(a, b);
-        EXPECT_TRUE(found.best);
-        EXPECT_EQ(found.matches.size(), longest(a, b)) << a << " " << b;
-        for (std::size_t i = 0; i < found.matches.size(); ++i) {
-            EXPECT_EQ(a[found.matches[i].first], b[found.matches[i].second]);
-            if (i == 0) continue;
-            EXPECT_LT(found.matches[i - 1].first, found.matches[i].first);
-            EXPECT_LT(found.matches[i - 1].second, found.matches[i].second);
-        }
+        SCOPED_TRACE(a + " " + b);
+        expect_longest(aligned(a, b), a, b);
     }
     EXPECT_EQ(aligned("abcabba", "cbabac").matches.size(), 4U) << "Myers's own example";
 }

@@ -27,7 +27,10 @@ AnswerTable around_zero(Wrong wrong)
 /// Empty if there is none.
 std::string range_words(const AnswerTable& table)
 {
-    const auto range = range_of_answers(table, {0});
+    std::vector<const AnswerPair*> wrong;
+    for (const AnswerPair& one : table.answers)
+        if (one.wrong) wrong.push_back(&one);
+    const auto range = range_of_answers(table, wrong, {0});
     return range ? range->words : "";
 }
 

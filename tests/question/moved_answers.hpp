@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "question/dependence.hpp"
+#include "question/error_dependence.hpp"
 
 namespace umbral::grader::moved_test {
 
@@ -54,6 +55,13 @@ inline AnswersToMoves answers(const Answer& yours, const Answer& right)
     add("2", "moved .z", [](Asked& a) { a.z *= factor; });
     add("2", "moved length", [](Asked& a) { a.x *= factor, a.y *= factor, a.z *= factor; });
     return all;
+}
+
+inline std::vector<Dependence> dependences(const AnswersToMoves& all) { return grader::dependences(reactions(all)); }
+
+inline std::vector<ErrorDependence> error_dependences(const AnswersToMoves& all)
+{
+    return grader::error_dependences(reactions(all));
 }
 
 }

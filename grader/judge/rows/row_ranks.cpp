@@ -1,14 +1,12 @@
 #include "judge/rows/row_ranks.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <span>
+
+#include "judge/rows/whole_number.hpp"
 
 namespace umbral::grader {
 namespace {
-
-bool is_whole(double x) { return std::isfinite(x) && x == std::trunc(x); }
 
 /// Of two sequences in order: what is smaller has no partner.
 Alignment merged(const RowRanks& ranks)
@@ -31,7 +29,7 @@ std::optional<RowRanks> ranks_of_whole_rows(const TensorView& a, std::size_t row
     const auto row = [&](std::size_t i) { return i < rows_of_a ? a.cell(i) : b.cell(i - rows_of_a); };
     std::vector<std::size_t> order(rows_of_a + b.cells());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    if (!std::ranges::all_of(order, [&](std::size_t i) { return std::ranges::all_of(row(i), is_whole); }))
+    if (!std::ranges::all_of(order, [&](std::size_t i) { return std::ranges::all_of(row(i), is_whole_number); }))
         return std::nullopt;
     std::ranges::sort(
         order, [&](std::size_t i, std::size_t j) { return std::ranges::lexicographical_compare(row(i), row(j)); });
