@@ -130,6 +130,8 @@ void ask(Application& application, AskOptions options)
     fmt::print("\n");
     print_difference(paint, "Yours and the reference's", asked.yours, asked.reference);
     if (asked.oracle) print_difference(paint, "Yours and the oracle's", asked.yours, *asked.oracle);
+    // Whether other answers are right ones is for checks to say; to have none is wrong where there is one.
+    if (!asked.yours.given && asked.reference.given) application.exit_status = exit_not_right;
 }
 
 }

@@ -46,6 +46,15 @@ TEST(Ask, shows_what_everybody_answers_and_where_they_differ)
     EXPECT_NE(close.text.find(" ulp)"), std::string::npos) << close.text;
 }
 
+TEST(Ask, ends_with_1_where_no_answer_comes)
+{
+    const TemporaryFolder folder;
+    folder.write("stopped.cpp", read(reference).replace(read(reference).find("return t;"), 9, "std::abort();"));
+    const Printed stopped = ask(folder, folder / "stopped.cpp", question);
+    EXPECT_EQ(stopped.status, 1) << stopped.text;
+    EXPECT_NE(stopped.text.find("reference  20"), std::string::npos) << stopped.text;
+}
+
 TEST(Ask, refuses_what_is_no_question_with_the_reason)
 {
     const TemporaryFolder folder;
