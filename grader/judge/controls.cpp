@@ -32,22 +32,36 @@ Tensor all_absent(const Tensor& expected)
     return tensor;
 }
 
-// The most frequent present cell, of those that `among` admits; bytes decide what is equal.
-template <class Among>
-Row most_frequent(const TensorView& view, Among among)
-{
-    std::map<Row, std::size_t> counts;
-    Row best(view.components(), 0);
-    std::size_t most = 0;
-    for (std::size_t cell = 0; cell < view.cells(); ++cell) {
-        const auto values = view.cell(cell);
-        if (!view.present(cell) || !among(cell) ||
-            std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); }))
-            continue;
-        Row row(values.begin(), values.end());
-        if (const std::size_t count = ++counts[row]; count > most) most = count, best = std::move(row);
+/// Which cell comes most often, of those that it is shown; cells with NaN are not counted. Bytes decide what is equal.
+class MostFrequent {
+public:
+    explicit MostFrequent(const TensorView& view) : view_(view) {}
+
+    void see(std::size_t cell)
+    {
+        const auto values = view_.cell(cell);
+        if (!view_.present(cell) || std::ranges::any_of(values, [](double v) { return std::isnan(v); })) return;
+        // Neighbours in pictures are mostly equal: these need no search.
+        if (last_ == nullptr || !std::ranges::equal(last_->first, values))
+            last_ = &*counts_.try_emplace(Row(values.begin(), values.end()), 0).first;
+        if (++last_->second > most_) most_ = last_->second, best_ = &last_->first;
     }
-    return best;
+    /// Zeros if it was shown none.
+    [[nodiscard]] Row cell() const { return best_ != nullptr ? *best_ : Row(view_.components(), 0); }
+
+private:
+    const TensorView& view_;
+    std::map<Row, std::size_t> counts_;
+    std::pair<const Row, std::size_t>* last_ = nullptr;
+    std::size_t most_ = 0;
+    const Row* best_ = nullptr;
+};
+
+Row most_frequent(const TensorView& view)
+{
+    MostFrequent most(view);
+    for (std::size_t cell = 0; cell < view.cells(); ++cell) most.see(cell);
+    return most.cell();
 }
 
 /// The two rows that are most often a pair, in one order and in the other by turns, so that half of those pairs are
@@ -99,12 +113,14 @@ Row identity(std::size_t components)
 /// The most frequent cell of the border everywhere.
 Tensor blank(const Tensor& expected, const TensorView& view)
 {
-    const auto border = [&](std::size_t cell) {
-        const std::size_t x = cell % expected.columns;
-        const std::size_t y = cell / expected.columns;
-        return x == 0 || y == 0 || x + 1 == expected.columns || y + 1 == expected.rows;
-    };
-    return filled(expected, most_frequent(view, border));
+    const std::size_t columns = expected.columns;
+    MostFrequent most(view);
+    for (std::size_t row = 0; row < expected.rows; ++row) {
+        const bool whole = row == 0 || row + 1 == expected.rows;
+        const std::size_t step = whole || columns < 2 ? 1 : columns - 1;
+        for (std::size_t column = 0; column < columns; column += step) most.see(row * columns + column);
+    }
+    return filled(expected, most.cell());
 }
 
 /// Noise that is right as often as noise is on average. In a small table one draw may happen to be all right: one in
@@ -131,9 +147,12 @@ Tensor typical_noise(const Check& check, const Tensor& expected, const Component
 
 Tensor filled(const Tensor& expected, const std::vector<double>& row)
 {
-    std::vector<double> values(expected.count());
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = row[i % row.size()];
-    return with_values(shaped(expected), values);
+    Tensor one{expected.element, 1, 1, expected.components, {}, {}};
+    one.bytes.resize(size_of(one.element) * one.components);
+    const std::vector<std::byte> cell = with_values(one, row).bytes;
+    Tensor tensor = shaped(expected);
+    for (std::size_t i = 0; i < tensor.bytes.size(); i += cell.size()) std::ranges::copy(cell, &tensor.bytes[i]);
+    return tensor;
 }
 
 ComponentStatistics component_statistics(const Tensor& expected)
@@ -185,8 +204,7 @@ Controls common_controls(const Check& check, const Tensor& expected, std::uint64
     result.emplace_back("zeros", filled(expected, Row(components, 0)));
     result.emplace_back("ones", filled(expected, Row(components, 1)));
     if (components == 9 || components == 16) result.emplace_back("identity", filled(expected, identity(components)));
-    result.emplace_back(picture ? "most frequent colour" : "most frequent row",
-                        filled(expected, most_frequent(view, [](std::size_t) { return true; })));
+    result.emplace_back(picture ? "most frequent colour" : "most frequent row", filled(expected, most_frequent(view)));
     if (check.pairs && expected.cells() >= 2 && expected.cells() % 2 == 0)
         result.emplace_back("pairs by chance", pairs_by_chance(expected));
     result.emplace_back(picture ? "mean colour" : "mean row", filled(expected, statistics.mean));
@@ -210,10 +228,14 @@ Controls controls(const Check& check, const Tensor& expected, std::uint64_t seed
 BestControl best_control(const Check& check, const Tensor& expected, const Tensor* margin, std::uint64_t seed)
 {
     BestControl best{"none", 0};
-    for (const auto& [name, tensor] : controls(check, expected, seed))
-        if (const double right = fraction_right(check, tensor, expected, margin);
+    const Controls all = controls(check, expected, seed);
+    for (auto one = all.begin(); one != all.end(); ++one) {
+        // Zeros may be black as well, and the mean the most frequent.
+        if (std::ranges::find(all.begin(), one, one->second, &Controls::value_type::second) != one) continue;
+        if (const double right = fraction_right(check, one->second, expected, margin);
             best.name == "none" || right > best.right)
-            best = {name, right};
+            best = {one->first, right};
+    }
     return best;
 }
 
