@@ -8,6 +8,7 @@
 #include <map>
 
 #include "judge/rows/columns.hpp"
+#include "question/history.hpp"
 #include "question/names.hpp"
 
 namespace umbral::grader {
@@ -17,7 +18,16 @@ namespace {
 struct AnswersOfKind {
     const AskedAnswers& asked;
     const QuestionKind& kind;
+    History history;
     std::vector<const AskedAnswer*> some;
+
+    /// What is told of one of the questions, as questions_of() calls it.
+    [[nodiscard]] std::vector<double> numbers_of(std::uint32_t question) const
+    {
+        std::vector<double> numbers = kind.questions.at(question);
+        std::ranges::copy(history.numbers(question), std::back_inserter(numbers));
+        return numbers;
+    }
 };
 
 /// What is known of the right answer too.
@@ -115,15 +125,18 @@ private:
     std::map<std::uint32_t, std::pair<std::size_t, std::size_t>> rows_;  ///< the first and the last of each question
 };
 
-/// The questions' own numbers, called as the interface calls them.
+/// The questions' own numbers, called as the interface calls them, and those of what was done before to their objects.
 QuestionTable questions_of(const AskedCheck& asked, const AnswersOfKind& answers)
 {
     QuestionTable table;
     const std::vector<std::string> parameters = parameter_names(asked.headers, answers.kind.function);
     for (const std::string& place : answers.kind.features) table.names.push_back(in_words(place, parameters));
+    table.words = answers.kind.words;
+    table.words.resize(table.names.size());
+    std::ranges::copy(answers.history.names(asked.headers), std::back_inserter(table.names));
+    std::ranges::copy(answers.history.words(), std::back_inserter(table.words));
     // That nothing is found where something is says more than what else is true of such questions.
     table.answers = table.names.size();
-    table.words = answers.kind.words;
     if (answers.asked.optional) table.first = table.names.size();
     return table;
 }
@@ -165,7 +178,7 @@ ToldSample by_question(QuestionTable table, const AnswersOfKind& answers)
     if (answers.asked.optional) table.names.emplace_back(has_answer);
     std::vector<bool> wrong;
     for (const auto& [number, question] : questions) {
-        table.numbers.push_back(answers.kind.questions.at(number));
+        table.numbers.push_back(answers.numbers_of(number));
         if (answers.asked.optional) table.numbers.back().push_back(question.has_answer ? 1 : 0);
         wrong.push_back(question.wrong);
     }
@@ -246,10 +259,10 @@ AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t 
     if (kind == nullptr || some.empty()) return result;
     result.function = kind->function;
     for (const AskedAnswer* const one : some) result.questions.insert(kind->questions.at(one->question));
-    const AnswersOfKind of_kind{answers, *kind, some};
+    const AnswersOfKind of_kind{answers, *kind, History(log, kind->function), some};
     const QuestionTable table = questions_of(asked, of_kind);
     result.by_answer =
-        by_answer(table, of_kind, [&kind = kind](const AskedAnswer& one) { return kind->questions.at(one.question); });
+        by_answer(table, of_kind, [&of_kind](const AskedAnswer& one) { return of_kind.numbers_of(one.question); });
     result.answers.facts = result.by_answer.facts;
     result.by_question = by_question(table, of_kind);
     result.answers.several = !result.by_question.numbers.empty();

@@ -214,6 +214,20 @@ void add_range(const AnswerTable& table, const Pairs& wrong, std::vector<AnswerP
     found.insert(range->is_cut ? found.begin() : first_vague(found), {std::move(range->words)});
 }
 
+/// Of so few anything may be true, but not that a number has wrapped round; and that the same numbers of a row are
+/// wrong is what is seen.
+void add_to_few(const AnswerTable& table, const Pairs& wrong, std::vector<AnswerPattern>& found)
+{
+    if (wrong.empty() || !can_be_compared(wrong)) return;
+    const std::vector<std::size_t> which = wrong_components(wrong, table.components);
+    const std::string place = table.components == 1 ? "" : place_of(table, which, columns_of_wrong_rows(table, wrong));
+    const NumberPairs numbers = numbers_in(wrong, table.components, which);
+    if (const auto change = wrapped_numbers(numbers.yours, numbers.right))
+        found.push_back({place.empty() ? "is " + *change : fmt::format("{}, which is {}", place, *change)});
+    else if (wrong.size() > 1 && !place.empty())
+        found.push_back({place, CommonTells::place});
+}
+
 /// What is so of the numbers of an answer, the most telling first.
 void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<AnswerPattern>& found)
 {
@@ -252,11 +266,7 @@ std::vector<AnswerPattern> answer_patterns(const AnswerTable& table)
     const Pairs wrong = wrong_pairs(table);
     std::vector<AnswerPattern> found;
     if (wrong.size() < least_wrong) {
-        // Of so few anything may be true, but that the same numbers of a row are wrong is what is seen.
-        if (wrong.size() < 2 || !can_be_compared(wrong)) return found;
-        const std::string place =
-            place_of(table, wrong_components(wrong, table.components), columns_of_wrong_rows(table, wrong));
-        if (!place.empty()) found.push_back({place, CommonTells::place});
+        add_to_few(table, wrong, found);
         return found;
     }
     if (auto said = presence(table, wrong)) return std::move(*said);

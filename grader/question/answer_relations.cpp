@@ -59,6 +59,7 @@ std::optional<std::string> as_factor(std::span<const double> factors, std::span<
     };
     if (const auto words = told_as(roots(factors), questions, facts)) return "times the square of " + *words;
     if (const auto words = told_as(roots(inverse), questions, facts)) return "divided by the square of " + *words;
+    if (const auto words = told_as_quotient(factors, questions, facts)) return "times " + *words;
     return std::nullopt;
 }
 

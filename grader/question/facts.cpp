@@ -102,9 +102,18 @@ void add_product(std::string words, const QuestionTable& table, const Value& val
     facts.push_back(fact(std::move(words), Fact::Kind::product, table, value));
 }
 
-/// Of three vectors that are all of a struct or an array.
+/// Of three vectors that are all of a struct or an array; and of any three where there are few.
 void add_triples(const QuestionTable& table, const std::vector<VectorColumns>& vectors, std::vector<Fact>& facts)
 {
+    const auto add_determinant = [&](const VectorColumns& a, const VectorColumns& b, const VectorColumns& c) {
+        add_product(
+            fmt::format("the determinant of {}, {} and {}", a.words, b.words, c.words), table,
+            [&](const auto& row) {
+                const auto column = [&row](const VectorColumns& one) { return glm::make_vec3(&row[one.first]); };
+                return glm::determinant(glm::dmat3(column(a), column(b), column(c)));
+            },
+            facts);
+    };
     for (std::size_t i = 0; i + 2 < vectors.size(); ++i) {
         const VectorColumns& a = vectors[i];
         const VectorColumns& b = vectors[i + 1];
@@ -113,20 +122,25 @@ void add_triples(const QuestionTable& table, const std::vector<VectorColumns>& v
         const bool together = !of.empty() && owner(b.words) == of && owner(c.words) == of && a.size == b.size &&
                               b.size == c.size && (i == 0 || owner(vectors[i - 1].words) != of);
         if (!together || a.first >= table.answers || a.size > 3) continue;
-        const std::string words = fmt::format("{}, {} and {}", a.words, b.words, c.words);
-        if (a.size == 2)
-            add_product(
-                "the signed area of " + words, table, [&](const auto& row) { return signed_area(row, a, b, c); },
-                facts);
+        if (a.size == 3)
+            add_determinant(a, b, c);
         else
             add_product(
-                "the determinant of " + words, table,
-                [&](const auto& row) {
-                    const auto column = [&row](const VectorColumns& one) { return glm::make_vec3(&row[one.first]); };
-                    return glm::determinant(glm::dmat3(column(a), column(b), column(c)));
-                },
-                facts);
+                fmt::format("the signed area of {}, {} and {}", a.words, b.words, c.words), table,
+                [&](const auto& row) { return signed_area(row, a, b, c); }, facts);
     }
+    const auto is_in_space = [&](const VectorColumns& one) {
+        return one.size == 3 && one.first < table.answers && quantity_of(one.words) != Quantity::light;
+    };
+    constexpr std::ptrdiff_t few = 4;
+    if (std::ranges::count_if(vectors, is_in_space) > few) return;
+    for (const VectorColumns& a : vectors)
+        for (const VectorColumns& b : vectors)
+            for (const VectorColumns& c : vectors) {
+                const bool in_order = a.first < b.first && b.first < c.first;
+                if (!in_order || !is_in_space(a) || !is_in_space(b) || !is_in_space(c)) continue;
+                if (owner(a.words) != owner(b.words) || owner(b.words) != owner(c.words)) add_determinant(a, b, c);
+            }
 }
 
 /// Of matrices, which mirror where it is negative.

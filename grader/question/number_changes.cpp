@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -124,22 +125,6 @@ std::optional<std::string> made_whole(std::span<const double> yours, std::span<c
     return std::nullopt;
 }
 
-/// What is left of numbers that an integer of some bits cannot hold.
-std::optional<std::string> wrapped(std::span<const double> yours, std::span<const double> right)
-{
-    for (const int bits : {32, 16, 8}) {
-        const double range = std::ldexp(1, bits);
-        const bool all = std::ranges::equal(yours, right, [range](double a, double b) {
-            const double left = std::fmod(b, range);
-            return b == std::trunc(b) && std::abs(b) >= range / 2 && (a == left || a == left - range);
-        });
-        if (all)
-            return fmt::format("what an integer of {} bits can hold of the right one (its rest modulo 2^{})", bits,
-                               bits);
-    }
-    return std::nullopt;
-}
-
 /// Whole numbers written by a machine whose bytes stand the other way round.
 std::optional<std::string> bytes_reversed(std::span<const double> yours, std::span<const double> right)
 {
@@ -192,10 +177,36 @@ std::optional<AnswerPattern> change_of_numbers(std::span<const double> yours, st
     if (yours.empty() || different(right) < 2) return std::nullopt;
     if (auto words = bytes_reversed(yours, right)) return AnswerPattern{*std::move(words)};
     if (auto found = sum_or_product(yours, right)) return found;
-    auto words = wrapped(yours, right);
+    auto words = wrapped_numbers(yours, right);
     if (!words) words = made_whole(yours, right);
     if (!words) words = upside_down(yours, right);
     return words ? std::optional(AnswerPattern{*std::move(words)}) : std::nullopt;
+}
+
+std::optional<std::string> wrapped_numbers(std::span<const double> yours, std::span<const double> right)
+{
+    constexpr std::size_t least_bits = 32;  ///< of all different numbers together: so many agree by no chance
+    for (const int bits : {32, 16, 8}) {
+        if (different(right) * static_cast<std::size_t>(bits) < least_bits) continue;
+        const double range = std::ldexp(1, bits);
+        const bool held = std::ranges::equal(yours, right, [range](double a, double b) {
+            const double left = std::fmod(b, range);
+            return b == std::trunc(b) && std::abs(b) >= range / 2 && (a == left || a == left - range);
+        });
+        if (held)
+            return fmt::format("what an integer of {} bits can hold of the right one (its rest modulo 2^{})", bits,
+                               bits);
+        // Of a sum one term may have wrapped round, and large ones may be recorded as floats.
+        const bool lacks_multiples = std::ranges::equal(yours, right, [range](double a, double b) {
+            const double rounded = b * std::numeric_limits<float>::epsilon() / 2;
+            return a == std::trunc(a) && b == std::trunc(b) && b - a > range / 2 && rounded < range / 1024 &&
+                   std::abs(std::remainder(b - a, range)) <= (b < std::ldexp(1, 24) ? 0 : rounded);
+        });
+        if (lacks_multiples && bits > 8)
+            return fmt::format("the right one less a multiple of 2^{}: an integer of {} bits is too small for a part",
+                               bits, bits);
+    }
+    return std::nullopt;
 }
 
 std::optional<std::string> side_of_numbers(std::span<const double> yours, std::span<const double> right)

@@ -21,6 +21,10 @@ namespace umbral::grader {
 [[nodiscard]] std::optional<AnswerPattern> change_of_numbers(std::span<const double> yours,
                                                              std::span<const double> right);
 
+/// "what an integer of 32 bits can hold of the right one …". Unlike other changes it is none by chance, also of a
+/// single large number.
+[[nodiscard]] std::optional<std::string> wrapped_numbers(std::span<const double> yours, std::span<const double> right);
+
 /// "larger than the right one", "smaller than the right one", if all of at least eight are, by more than rounding.
 [[nodiscard]] std::optional<std::string> side_of_numbers(std::span<const double> yours, std::span<const double> right);
 

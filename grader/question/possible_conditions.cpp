@@ -106,6 +106,32 @@ bool are_equal_often(const Fact& a, const Fact& b)
     return values.size() >= least_values;
 }
 
+/// Of two counts: "framebuffer.x is no multiple of window.x", where the division of integers loses something.
+void add_multiple(const std::vector<Fact>& facts, std::size_t i, std::size_t j, int cost,
+                  std::vector<PossibleCondition>& all)
+{
+    constexpr std::size_t least_values = 3;
+    const Fact& a = facts[i];
+    const Fact& b = facts[j];
+    if (a.kind != Fact::Kind::number || b.kind != Fact::Kind::number || !a.value_names.empty()) return;
+    // With few of either it is true by chance.
+    std::set<std::pair<double, double>> multiples;
+    std::set<std::pair<double, double>> others;
+    for (std::size_t k = 0; k < a.values.size(); ++k) {
+        const double x = a.values[k];
+        const double y = b.values[k];
+        if (!is_whole_number(x) || !is_whole_number(y) || x < 1 || y < 1) return;
+        if (x != y) (std::fmod(x, y) == 0 ? multiples : others).emplace(x, y);
+    }
+    if (std::min(multiples.size(), others.size()) < least_values) return;
+    all.push_back({fmt::format("{} is no multiple of {}", a.words, b.words),
+                   [i, j](const std::vector<Fact>& told, std::size_t question) {
+                       return std::fmod(told[i].values[question], told[j].values[question]) != 0;
+                   },
+                   cost});
+    all.back().compares = true;
+}
+
 /// "x" of "point.x".
 std::string_view component_of(std::string_view words) { return words.substr(std::min(words.rfind('.'), words.size())); }
 
@@ -144,6 +170,8 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
         add(
             "greater than", [](double x, double y) { return x > y; }, 0);
     }
+    add_multiple(facts, i, j, cost + 3, all);
+    add_multiple(facts, j, i, cost + 3, all);
     // Two that measure different things are equal by chance, where they are always the same number.
     if (a.value_names.empty() && !are_equal_often(a, b)) return;
     add(

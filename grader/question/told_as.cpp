@@ -20,6 +20,23 @@ std::vector<double> told_values(const Fact& fact, std::span<const std::size_t> q
     return values;
 }
 
+/// Is each of `values` the quotient of these two, but for rounding? Of a difference of nearly equal numbers little is
+/// left that is exact: few may be a little off.
+bool are_quotients(std::span<const double> values, const std::vector<double>& above, const std::vector<double>& below)
+{
+    constexpr double a_little = 0.05;
+    constexpr std::size_t least_quotients = 3;
+    std::set<double> quotients;
+    std::size_t off = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double quotient = above[i] / below[i];
+        if (!alike(values[i], quotient, std::abs(quotient)) && ++off * 5 > values.size()) return false;
+        if (!(std::abs(values[i] - quotient) <= a_little * std::abs(quotient))) return false;
+        quotients.insert(quotient);
+    }
+    return quotients.size() >= least_quotients;
+}
+
 }
 
 bool is_same_number(double a, double b) { return alike(a, b, std::max(std::abs(a), std::abs(b))); }
@@ -52,6 +69,24 @@ std::optional<std::string> told_as(std::span<const double> values, std::span<con
     if (others.empty()) return words;
     if (others.size() > most_others) return std::nullopt;
     return fmt::format("{} (here the same as {})", *words, fmt::join(others, " and "));
+}
+
+std::optional<std::string> told_as_quotient(std::span<const double> values, std::span<const std::size_t> questions,
+                                            const std::vector<Fact>& facts)
+{
+    const auto is_usable = [](const Fact& fact) { return fact.kind == Fact::Kind::number && !fact.answer; };
+    const auto owner = [](const Fact& fact) {
+        return std::string_view(fact.words).substr(0, fact.words.find_last_of(".[") + 1);
+    };
+    std::optional<std::string> words;
+    for (const Fact& above : facts)
+        for (const Fact& below : facts) {
+            if (&above == &below || !is_usable(above) || !is_usable(below) || owner(above) != owner(below)) continue;
+            if (!are_quotients(values, told_values(above, questions), told_values(below, questions))) continue;
+            if (words) return std::nullopt;
+            words = fmt::format("{} / {}", above.words, below.words);
+        }
+    return words;
 }
 
 std::optional<std::string> told_as_either(std::span<const double> values, std::span<const std::size_t> questions,

@@ -28,6 +28,12 @@ inline constexpr std::size_t least_different = 4;
 [[nodiscard]] std::optional<std::string> told_as(std::span<const double> values, std::span<const std::size_t> questions,
                                                  const std::vector<Fact>& facts);
 
+/// "texture.width / texture.height": the quotient of two numbers of one struct, or of two that are in none, that has
+/// these values. Nothing if there is none, or several.
+[[nodiscard]] std::optional<std::string> told_as_quotient(std::span<const double> values,
+                                                          std::span<const std::size_t> questions,
+                                                          const std::vector<Fact>& facts);
+
 /// "ray.t_min or ray.t_max": two numbers of the questions of which each value is one, as where the ends of an interval
 /// are taken in. Each must be it several times.
 [[nodiscard]] std::optional<std::string> told_as_either(std::span<const double> values,

@@ -41,6 +41,22 @@ TEST(AnswerPatterns, know_integers_that_are_too_small)
     EXPECT_EQ(first_pattern(made).find("is what an integer of 16 bits can hold"), 0U) << first_pattern(made);
 }
 
+// No chance gives even one such answer. Large sums may be recorded as floats, and only a term of them wrapped round.
+TEST(AnswerPatterns, know_few_integers_that_wrapped_round_in_part)
+{
+    AnswerTable made{2, 0, {"plain", "indexed"}, {}, {}};
+    for (const double vertices : {10.0, 20.0, 4e8, 3e9, 8.589934592e9}) {
+        const double right = 12 * vertices + 28;
+        const double wrapped = std::fmod(12 * vertices, 0x1p32) + 28;
+        const auto recorded = [](double x) { return double(static_cast<float>(x)); };
+        made.answers.push_back({{60, recorded(wrapped)}, {60, recorded(right)}, wrapped != right});
+    }
+    EXPECT_EQ(first_pattern(made).find("differs in indexed only, which is the right one less a multiple of 2^32"), 0U)
+        << first_pattern(made);
+    made.answers[3].yours[1] += 1 << 20;
+    EXPECT_EQ(first_pattern(made), "differs in indexed only");
+}
+
 // Numbers of double that are no numbers of four digits, and such as float does not have.
 TEST(AnswerPatterns, take_factors_of_any_size)
 {

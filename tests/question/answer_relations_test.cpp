@@ -158,6 +158,33 @@ TEST(AnswerRelations, find_squares_of_what_was_asked)
 }
 
 // Which of two numbers that are equal in all questions is meant, nobody can tell.
+// A size in another one's place: differences of nearly equal floats keep few digits, and some are off by more.
+TEST(AnswerRelations, find_the_quotient_of_two_sizes)
+{
+    const auto relation = [](const std::vector<std::string>& names, double most_off) {
+        const std::vector<std::pair<double, double>> sizes{{2, 4}, {1, 128}, {5, 9}, {16, 4}};
+        std::vector<Fact> facts;
+        for (const std::string& name : names) facts.push_back({name, Fact::Kind::number});
+        WrongNumbers numbers;
+        Random random(7);
+        for (std::size_t i = 0; i < 20; ++i) {
+            const auto [width, height] = sizes[i % sizes.size()];
+            facts[0].values.push_back(width);
+            facts[1].values.push_back(height);
+            numbers.right.push_back(random.uniform(-1, 1));
+            const double off = i % 10 == 0 ? most_off : 1e-6;
+            numbers.yours.push_back(numbers.right.back() * width / height * (1 + off));
+            numbers.questions.push_back(i);
+        }
+        return relation_of(numbers, facts).value_or("nothing");
+    };
+    EXPECT_EQ(relation({"heights.width", "heights.height"}, 1e-2),
+              "the right one times heights.width / heights.height");
+    EXPECT_EQ(relation({"width", "height"}, 1e-7), "the right one times width / height");
+    EXPECT_EQ(relation({"heights.width", "window.height"}, 1e-7), "nothing");
+    EXPECT_EQ(relation({"heights.width", "heights.height"}, 0.1), "nothing");
+}
+
 TEST(AnswerRelations, name_all_numbers_that_are_the_same_there)
 {
     AnswerTable made = answers(1, [](const Asked& one) { return Row{one.t * one.right[0]}; });

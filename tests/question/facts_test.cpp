@@ -58,6 +58,28 @@ TEST(Facts, know_which_way_round_three_corners_go_and_what_mirrors)
     EXPECT_NEAR(values("the determinant of m")[1], -3, 1e-12);
 }
 
+TEST(Facts, know_which_way_round_three_vectors_of_different_owners_stand)
+{
+    const auto determinants = [](const std::vector<std::string>& vectors) {
+        QuestionTable table{{}, {{}}};
+        for (std::size_t i = 0; i < vectors.size(); ++i)
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                table.names.push_back(fmt::format("{}.{}", vectors[i], "xyz"[axis]));
+                table.numbers[0].push_back(axis == (i + 1) % 3 ? 2 : 0);
+            }
+        std::map<std::string, double> found;
+        for (const Fact& fact : facts_of(table))
+            if (fact.words.starts_with("the determinant")) found[fact.words] = fact.values[0];
+        return found;
+    };
+    const auto found = determinants({"n", "tangents.u", "tangents.v"});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found.begin()->first, "the determinant of n, tangents.u and tangents.v");
+    EXPECT_EQ(found.begin()->second, 8);
+    EXPECT_EQ(determinants({"n", "light.color", "view"}).size(), 0U);
+    EXPECT_EQ(determinants({"a", "b", "c", "d", "e"}).size(), 0U) << "more than anybody thinks of";
+}
+
 TEST(Facts, know_lengths_products_and_parallel_vectors)
 {
     const QuestionTable table{{"u.x", "u.y", "v.x", "v.y", "m[0][0]"}, {{3, 4, 6, 8, 1}, {1, 0, 0, 2, 1}}};
