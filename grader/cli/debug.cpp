@@ -91,6 +91,16 @@ std::string as_one_line(std::string text)
     return text;
 }
 
+/// Where gdb is to stop for a student's function. By its name alone gdb also finds the jump to it in the driver, which
+/// comes first and shows nothing; of several files nobody knows which one defines it.
+std::string place_of(const std::string& function, const Sources& files)
+{
+    std::vector<std::string> sources;
+    for (const auto& [name, text] : files)
+        if (name.ends_with(".cpp")) sources.push_back(name);
+    return sources.size() == 1 ? fmt::format("-source {} -function {}", sources.front(), function) : function;
+}
+
 void debug(const Application& application, DebugOptions options)
 {
     options.folder = workspace_of({&options.unit, 1}, options.folder);
@@ -115,12 +125,15 @@ void debug(const Application& application, DebugOptions options)
     std::vector<std::string> words;
     if (!options.no_debugger) {
         words = {"gdb", "-q"};
-        std::vector<std::string> commands = {"set breakpoint pending on", as_one_line(show_vectors_short),
-                                             "directory " + fs::absolute(sources).string()};
+        std::vector<std::string> commands = {"set breakpoint pending on", as_one_line(show_vectors_short)};
+        // Files may also lie beside those of the topic's other units, or by themselves.
+        for (const fs::path& from : {fs::path(options.folder), own.parent_path(), own})
+            if (fs::is_directory(from, unknown)) commands.push_back("directory " + fs::absolute(from).string());
         // The first call from there on is the one that was asked.
         if (asked && !asked->function.empty())
-            commands.insert(commands.end(), {"break umbral::question_reached", "run", "tbreak " + asked->function,
-                                             "continue", "info args"});
+            commands.insert(commands.end(),
+                            {"break umbral::question_reached", "run", "tbreak " + place_of(asked->function, work.files),
+                             "continue", "info args"});
         else if (asked)
             commands.insert(commands.end(), {"break umbral::question_reached", "run"});
         else

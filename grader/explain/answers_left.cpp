@@ -31,6 +31,13 @@ bool is_all_zero(const Tensor& tensor)
     return std::ranges::all_of(to_doubles(tensor), [](double x) { return x == 0; });
 }
 
+/// Is there a right answer to some questions and none to others?
+bool is_mixed(const Tensor& tensor)
+{
+    const auto present = std::ranges::count_if(tensor.present, [](std::uint8_t one) { return one != 0; });
+    return present > 0 && static_cast<std::size_t>(present) < tensor.present.size();
+}
+
 }
 
 double share_changed(const Tensor& before, const Tensor& after)
@@ -54,6 +61,8 @@ bool leaves_answers(const OtherQuestion& change, const Tensor& before, const Ten
     const std::size_t least = leaves_out(change) || change.change.starts_with("without ") ? 1 : 3;
     if (4 * after.cells() < least * before.cells() || (same_form && share_changed(before, after) > most_changed))
         return false;
+    // Where a radius is 0 or infinite nothing is hit, or all, and whoever is wrong about that is right.
+    if (is_mixed(before) && !is_mixed(after)) return false;
     return 2 * different_rows(after) > different_rows(before) && (!is_all_zero(after) || is_all_zero(before));
 }
 

@@ -15,6 +15,7 @@
 #include "explain/samples.hpp"
 #include "explain/simpler_questions.hpp"
 #include "judge/judges.hpp"
+#include "question/possible_conditions.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -63,6 +64,9 @@ public:
         if (places_of(tried) > most_changed_places) return {};
         drop_what_is_so_of_most(*first, tried);
         if (tried.empty()) return {};
+        // One number in the place of another leads few questions away from what is wrong, whatever that is.
+        if (first->rows && first->wrong < least_questions)
+            std::erase_if(tried, [](const OtherAnswers& one) { return !one.question.other.empty(); });
         bool is_confirmed = first->wrong > 1;
         const std::size_t sets = asked_.exercise.gl ? fresh_sets_of_drawings : fresh_sets;
         for (std::size_t i = 0; i < sets && !tried.empty(); ++i) {
@@ -259,7 +263,7 @@ std::string right_with(const std::vector<OtherQuestion>& changes, const std::str
     std::string text;
     for (const OtherQuestion& change : changes)
         text += std::string(text.empty() ? right_with_words : ", or with ") + in_words(change, headers);
-    return text;
+    return text.empty() ? "" : text + ", your answers are right";
 }
 
 std::optional<bool> is_right_with(Worker& worker, const AskedCheck& asked, std::uint64_t seed,

@@ -18,9 +18,9 @@ namespace umbral::grader {
 [[nodiscard]] std::vector<OtherQuestion> changes_that_make_right(Worker& worker, const AskedCheck& asked,
                                                                  SpareTime& time);
 
-inline constexpr std::string_view right_with_words = "your answers are right with ";
+inline constexpr std::string_view right_with_words = "asked with ";
 
-/// "your answers are right with material.specular taken as 0"; empty if there are no such changes.
+/// "asked with material.specular taken as 0, your answers are right"; empty if there are no such changes.
 [[nodiscard]] std::string right_with(const std::vector<OtherQuestion>& changes, const std::string& headers);
 
 /// Does the change make the wrong answers to the inputs of a seed right? Nothing where none is wrong.

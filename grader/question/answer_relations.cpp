@@ -209,7 +209,11 @@ std::optional<std::string> rearranged(const WrongVectors& vectors)
 std::optional<std::string> relation_of(const WrongNumbers& numbers, const std::vector<Fact>& facts)
 {
     if (numbers.yours.empty()) return std::nullopt;
-    if (auto words = told_as(numbers.yours, numbers.questions, facts)) return words;
+    if (auto words = told_as(numbers.yours, numbers.questions, facts)) {
+        // A name alone would be read as what the answer is.
+        const bool is_name = words->find_first_of(". ") == std::string::npos;
+        return is_name ? "the given " + *words : *words;
+    }
     if (auto words = told_as_either(numbers.yours, numbers.questions, facts)) return words;
     const std::vector<double> more = made_of(numbers.yours, numbers.right, std::minus{});
     if (const auto words = told_as(more, numbers.questions, facts)) return "the right one plus " + *words;

@@ -189,8 +189,10 @@ std::vector<Fact> facts_of(const QuestionTable& table)
         const auto holds_it = [&](const VectorColumns& vector) {
             return i >= vector.first && i < vector.first + vector.size;
         };
+        const auto vector = std::ranges::find_if(vectors, holds_it);
         // Of a matrix too.
-        facts.back().component = table.names[i].ends_with(']') || std::ranges::any_of(vectors, holds_it);
+        facts.back().component = table.names[i].ends_with(']') || vector != vectors.end();
+        if (vector != vectors.end()) facts.back().quantity = quantity_of(vector->words);
     }
     for (std::size_t i = 0; i < std::min(vectors.size(), most_vectors); ++i) {
         const VectorColumns& a = vectors[i];

@@ -135,8 +135,19 @@ void add_multiple(const std::vector<Fact>& facts, std::size_t i, std::size_t j, 
 /// "x" of "point.x".
 std::string_view component_of(std::string_view words) { return words.substr(std::min(words.rfind('.'), words.size())); }
 
+/// Are wrong ones so with several pairs of values? Of two words, one pair alone says more: "enabled is true and writes
+/// is true".
+bool are_wrong_with_several(const Fact& a, const Fact& b, const std::vector<bool>& wrong, bool equal)
+{
+    std::set<std::pair<double, double>> pairs;
+    for (std::size_t i = 0; i < wrong.size(); ++i)
+        if (wrong[i] && (a.values[i] == b.values[i]) == equal) pairs.emplace(a.values[i], b.values[i]);
+    return pairs.size() > 1;
+}
+
 /// Of two facts that measure alike: "the distance between ray.origin and sphere.centre is less than sphere.radius".
-void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j, std::vector<PossibleCondition>& all)
+void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j, const std::vector<bool>& wrong,
+                    std::vector<PossibleCondition>& all)
 {
     // A list's least number, or an answer's length, equals many a number by chance; so do different components.
     const bool same_component =
@@ -151,7 +162,8 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
     const Fact& a = facts[i];
     const Fact& b = facts[j];
     if (!comparable(a) || !comparable(b) || a.value_names != b.value_names) return;
-    if ((a.quantity == Quantity::angle) != (b.quantity == Quantity::angle)) return;
+    for (const Quantity one : {Quantity::angle, Quantity::light})
+        if ((a.quantity == one) != (b.quantity == one)) return;
     // That a list has elements twice is a reason only if how long it is is none.
     const bool of_a_list = a.words.ends_with(".size()") && b.words.starts_with("the number of different");
     const int cost = 3 + (same_component || (a.kind == Fact::Kind::length && b.kind == Fact::Kind::length) ? 1 : 0) +
@@ -174,10 +186,13 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
     add_multiple(facts, j, i, cost + 3, all);
     // Two that measure different things are equal by chance, where they are always the same number.
     if (a.value_names.empty() && !are_equal_often(a, b)) return;
-    add(
-        "equal to", [](double x, double y) { return x == y; }, 0);
-    add(
-        "different from", [](double x, double y) { return x != y; }, 1);
+    const bool named = !a.value_names.empty();
+    if (!named || are_wrong_with_several(a, b, wrong, true))
+        add(
+            "equal to", [](double x, double y) { return x == y; }, 0);
+    if (!named || are_wrong_with_several(a, b, wrong, false))
+        add(
+            "different from", [](double x, double y) { return x != y; }, 1);
 }
 
 }
@@ -194,7 +209,7 @@ std::vector<PossibleCondition> possible_conditions(const std::vector<Fact>& fact
             all[k].of_answer = facts[i].answer;
             all[k].fact = i;
         }
-        for (std::size_t j = i + 1; j < facts.size(); ++j) add_comparison(facts, i, j, all);
+        for (std::size_t j = i + 1; j < facts.size(); ++j) add_comparison(facts, i, j, wrong, all);
     }
     return all;
 }

@@ -15,15 +15,11 @@ namespace {
 class Counter {
 public:
     Counter(const SceneGraph& graph, std::size_t limit)
-        : graph_(graph),
-          most_(std::max(limit + 1, limit)),
-          counts_(graph.nodes.size()),
-          begun_(graph.nodes.size(), false)
+        : graph_(graph), limit_(limit), counts_(graph.nodes.size()), begun_(graph.nodes.size(), false)
     {
     }
 
-    /// How many instances a node contains, but at most one more than the limit, if there is such a number. Throws
-    /// CycleError, std::out_of_range.
+    /// How many instances a node contains, or the limit if there are more. Throws CycleError, std::out_of_range.
     std::size_t count(std::uint32_t node)
     {
         if (node >= graph_.nodes.size())
@@ -35,8 +31,8 @@ public:
         begun_[node] = true;
         std::size_t sum = 0;
         for (const Entry& entry : graph_.nodes[node]) {
-            if (entry.kind == Entry::Kind::object) sum += std::min<std::size_t>(1, most_ - sum);
-            if (entry.kind == Entry::Kind::node) sum += std::min(count(entry.index), most_ - sum);
+            if (entry.kind == Entry::Kind::object) add(1, sum);
+            if (entry.kind == Entry::Kind::node) add(count(entry.index), sum);
             if (entry.kind == Entry::Kind::transformation && entry.index >= graph_.transformations.size())
                 throw std::out_of_range("expected one of " + std::to_string(graph_.transformations.size()) +
                                         " transformations, got " + std::to_string(entry.index));
@@ -46,12 +42,22 @@ public:
         return sum;
     }
 
+    /// Does any node that was counted contain more than the limit? Then so does each that leads to it.
+    [[nodiscard]] bool is_exceeded() const { return is_exceeded_; }
     /// Of a node that was counted.
     [[nodiscard]] bool is_empty(std::uint32_t node) const { return counts_[node] == std::size_t{0}; }
 
 private:
+    /// A number beyond the limit may be none that std::size_t holds.
+    void add(std::size_t more, std::size_t& sum)
+    {
+        is_exceeded_ = is_exceeded_ || more > limit_ - sum;
+        sum += std::min(more, limit_ - sum);
+    }
+
     const SceneGraph& graph_;
-    std::size_t most_;
+    std::size_t limit_;
+    bool is_exceeded_ = false;
     std::vector<std::optional<std::size_t>> counts_;
     std::vector<bool> begun_;
     std::vector<std::uint32_t> path_;
@@ -143,7 +149,8 @@ private:
 std::vector<Instance> expand(const SceneGraph& graph, std::size_t limit)
 {
     Counter counter(graph, limit);
-    if (counter.count(graph.root) > limit) throw TooManyInstances(limit);
+    counter.count(graph.root);
+    if (counter.is_exceeded()) throw TooManyInstances(limit);
     std::vector<Instance> instances;
     walk(graph, counter, graph.root, glm::dmat4(1), instances);
     return instances;

@@ -29,7 +29,7 @@ TEST_F(RightWithLights, names_the_lights_that_are_wrong)
     const UnitResult result = grade("        sum +=\n            light.color",
                                     "        if (&light == &lights[0]) sum +=\n            light.color");
     EXPECT_LT(result.score, result.max_score);
-    EXPECT_TRUE(is_said(result, "your answers are right with")) << result.checks.front().message;
+    EXPECT_TRUE(is_said(result, "your answers are right")) << result.checks.front().message;
     EXPECT_FALSE(is_said(result, "material.specular taken as 0"));
     EXPECT_TRUE(is_said(result, "lights cut to its first element"));
 }
@@ -42,7 +42,7 @@ protected:
 TEST_F(RightWithoutCalls, names_the_function_whose_calls_make_answers_wrong)
 {
     const UnitResult result = grade("pipeline.compose(turn(head_, y_axis));", "pipeline.compose(turn(head_, x_axis));");
-    EXPECT_TRUE(is_said(result, "your answers are right with all calls of set_head left out"));
+    EXPECT_TRUE(is_said(result, "asked with all calls of set_head left out, your answers are right"));
 }
 
 class RightWithoutEvents : public SpoiltReference {
@@ -54,7 +54,7 @@ TEST_F(RightWithoutEvents, names_the_events_that_make_answers_wrong)
 {
     const UnitResult result = grade("(mods & GLFW_MOD_SHIFT) != 0 ?", "mods == GLFW_MOD_SHIFT ?");
     EXPECT_LT(result.score, result.max_score);
-    EXPECT_TRUE(is_said(result, "your answers are right with the script without Shift, Control, Alt and Super"));
+    EXPECT_TRUE(is_said(result, "asked with the script without Shift, Control, Alt and Super, your answers are right"));
 }
 
 // With the angle 0 everything is left as it is, whatever the code does: that says nothing.
@@ -67,7 +67,7 @@ TEST_F(RightWithNothingLeft, is_not_said)
 {
     const UnitResult result = grade("std::sin(", "1.25 * std::sin(");
     EXPECT_LT(result.score, result.max_score);
-    EXPECT_FALSE(is_said(result, "your answers are right with")) << depends(result).front();
+    EXPECT_FALSE(is_said(result, "your answers are right")) << depends(result).front();
 }
 
 }

@@ -215,7 +215,7 @@ void record_coordinates(Random& random, Recorder& out)
     out.columns("bytes", "coordinates, indexed");
     const auto record = [&](const std::vector<glm::vec3>& positions, const std::vector<Strip>& strips) {
         const StripBytes bytes = ask<strip_bytes>(out, positions.size(), strips);
-        out.append("bytes", glm::vec2(bytes.coordinates, bytes.indexed));
+        out.append("bytes", glm::dvec2(bytes.coordinates, bytes.indexed));
         const std::vector<std::vector<glm::vec3>> got = ask<strips_of_coordinates>(out, positions, strips);
         for (std::size_t i = 0; i < strips.size(); ++i) {
             const std::vector<glm::vec3> strip = i < got.size() ? got[i] : std::vector<glm::vec3>{};
@@ -247,7 +247,7 @@ void record_coordinates(Random& random, Recorder& out)
     for (const std::uint64_t vertices :
          {std::uint64_t{400'000'000}, std::uint64_t{3'000'000'000}, std::uint64_t{1} << 33}) {
         const StripBytes bytes = ask<strip_bytes>(out, vertices, std::vector<Strip>{{0, 1, 2, 3}});
-        out.append("bytes", glm::vec2(bytes.coordinates, bytes.indexed));
+        out.append("bytes", glm::dvec2(bytes.coordinates, bytes.indexed));
     }
 }
 

@@ -11,7 +11,7 @@ using namespace texturing;
 void record_box(Recorder& out, const glm::vec3& direction, std::string_view value = "box")
 {
     const BoxPlace place = ask<box_place>(out, direction);
-    out.columns(value, "face, u, v");
+    out.columns(value, "face (0: right; 1: left; 2: top; 3: bottom; 4: back; 5: front), u, v");
     out.append(value, glm::vec3(static_cast<int>(place.face), place.uv));
 }
 

@@ -118,7 +118,8 @@ void record_limits(Recorder& out, Random& random)
         const auto put = [&](SceneGraph& graph, const Entry& entry) {
             graph.nodes[where].insert(graph.nodes[where].begin() + place, entry);
         };
-        std::size_t good_limit = std::numeric_limits<std::size_t>::max();
+        constexpr std::size_t largest_limit = std::numeric_limits<std::size_t>::max();
+        std::size_t good_limit = largest_limit;
         std::size_t bad_limit = plenty;
         const auto count = static_cast<std::uint32_t>(good.nodes.size());
         const auto what = static_cast<std::uint32_t>(i % 7);
@@ -134,8 +135,9 @@ void record_limits(Recorder& out, Random& random)
             good = bad = doubling(levels, {object(1)});
             good_limit = std::size_t{1} << (levels - 1);
             bad_limit = good_limit - 1;
-            // 2^64 objects, one more than fits in a number of 64 bits.
-            if (what == 6) bad = doubling(65, {object(1)}), bad_limit = plenty;
+            // 2^64 objects: one more than fits in a number of 64 bits, and than the largest limit.
+            const std::size_t either[] = {plenty, largest_limit};
+            if (what == 6) bad = doubling(65, {object(1)}), bad_limit = either[i % 2];
         }
         const bool good_first = random.below(2) == 0;
         for (const bool is_good : {good_first, !good_first})

@@ -86,8 +86,13 @@ void Questions::add_numbers(Function& found, const Features& features) const
 
 void Questions::set_object(const void* object, std::string_view name, std::string made)
 {
+    std::optional<Line> same;
+    for (const auto& [address, before] : objects_)
+        if (before.name == name && before.lines.size() == 1 && before.lines.front().text == made)
+            same = before.lines.front();
     std::erase_if(objects_, [&](const auto& one) { return one.second.name == name; });
-    objects_[object] = {std::string(name), {{lines_++, std::move(made)}}, 0};
+    // Made again by the same line, with nothing done to it: in the text it is the same, before all that used it.
+    objects_[object] = {std::string(name), {same ? *same : Line{lines_++, std::move(made)}}, 0};
 }
 
 std::string Questions::name_of(const void* object) const
@@ -102,7 +107,8 @@ std::string Questions::history() const
     for (const auto& [address, object] : objects_) {
         for (const Line& line : object.lines) lines[line.number] = line.text + '\n';
         if (object.left_out > 0)
-            lines[object.lines.front().number] += "// … " + std::to_string(object.left_out) + " calls " +
+            lines[object.lines.front().number] += "// … " + std::to_string(object.left_out) +
+                                                  (object.left_out == 1 ? " call " : " calls ") +
                                                   (objects_.size() > 1 ? "to " + object.name + ' ' : "") + "left out\n";
     }
     std::string text;

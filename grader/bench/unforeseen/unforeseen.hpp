@@ -22,7 +22,7 @@ struct ToldSentence {
         condition,   ///< "wrong wherever ray.t_min is positive"
         answer,      ///< "every wrong answer is always 0"
         dependence,  ///< "your wrong answers change with box.left, and the right ones do not"
-        change,      ///< "your answers are right with material.specular taken as 0"
+        change,      ///< "asked with material.specular taken as 0, your answers are right"
         place        ///< "sphere.cpp:17": holds if that is the changed line or one of two beside it
     };
     Kind kind = Kind::reason;

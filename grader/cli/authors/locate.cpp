@@ -71,7 +71,12 @@ void print_repair(const Paint& paint, const std::string& file, const std::string
 void print_no_place(const std::string& debug, const RepairSearch& search, std::size_t changes)
 {
     const std::size_t tried = search.tried;
-    if (tried < changes || search.out_of_time)
+    if (tried == changes && search.out_of_time)
+        fmt::print(
+            "None of the {} small changes makes the wrong checks right that it was tried on; there was no time to try "
+            "all of them on all; --seconds gives more time.\n",
+            tried);
+    else if (tried < changes)
         fmt::print(
             "None of the {} small changes that there was time for makes a wrong check right and breaks none; --seconds "
             "gives more time.\n",

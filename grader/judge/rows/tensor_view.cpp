@@ -156,7 +156,11 @@ std::string number_text(double recorded, int digits)
     if (value == 0 && digits < most_digits) return "0";
     // Ids, indices, counts and codes are told digit by digit, as far as 32 bits count.
     constexpr double last_whole = 4294967296;
-    if (value == std::trunc(value) && std::abs(value) <= last_whole) return fmt::format("{:.0f}", value);
+    // Beyond, those that only a double holds.
+    constexpr double last_of_doubles = 9007199254740992;
+    const bool is_a_count =
+        std::abs(value) <= last_whole || (std::abs(value) <= last_of_doubles && static_cast<float>(value) != value);
+    if (value == std::trunc(value) && is_a_count) return fmt::format("{:.0f}", value);
     // Nor do its neighbours change to powers of ten.
     const int whole_digits =
         std::abs(value) < last_whole ? static_cast<int>(fmt::formatted_size("{:.0f}", std::abs(value))) : 0;

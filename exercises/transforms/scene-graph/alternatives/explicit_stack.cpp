@@ -7,9 +7,10 @@ namespace {
 
 enum class State : std::uint8_t { unseen, open, closed };
 
-// How many instances each node holds, up to `most`; only what the root reaches.
-std::vector<std::size_t> count_instances(const SceneGraph& graph, std::size_t most)
+// How many instances each node holds; only what the root reaches. Throws if there are more than `limit`.
+std::vector<std::size_t> count_instances(const SceneGraph& graph, std::size_t limit)
 {
+    bool too_many = false;
     std::vector<std::size_t> counts(graph.nodes.size(), 0);
     std::vector<State> states(graph.nodes.size(), State::unseen);
     std::vector<std::pair<std::uint32_t, std::size_t>> open;
@@ -26,7 +27,8 @@ std::vector<std::size_t> count_instances(const SceneGraph& graph, std::size_t mo
                 const std::size_t more = entry.kind == Entry::Kind::object ? 1
                                          : entry.kind == Entry::Kind::node ? counts[entry.index]
                                                                            : 0;
-                counts[node] = more > most - counts[node] ? most : counts[node] + more;
+                too_many = too_many || more > limit - counts[node];
+                counts[node] = too_many ? limit : counts[node] + more;
             }
             states[node] = State::closed;
             open.pop_back();
@@ -45,6 +47,7 @@ std::vector<std::size_t> count_instances(const SceneGraph& graph, std::size_t mo
         }
         if (entry.index >= graph.nodes.size() || states[entry.index] == State::unseen) enter(entry.index);
     }
+    if (too_many) throw TooManyInstances(limit);
     return counts;
 }
 
@@ -75,8 +78,7 @@ void write(SceneGraph& out, std::uint32_t place, const std::vector<Item>& items,
 
 std::vector<Instance> expand(const SceneGraph& graph, std::size_t limit)
 {
-    const std::vector<std::size_t> counts = count_instances(graph, std::max(limit, limit + 1));
-    if (counts[graph.root] > limit) throw TooManyInstances(limit);
+    const std::vector<std::size_t> counts = count_instances(graph, limit);
     struct Frame {
         std::uint32_t node;
         std::size_t next;
