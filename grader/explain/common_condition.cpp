@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "explain/common_answer.hpp"
@@ -16,6 +17,7 @@ namespace umbral::grader {
 namespace {
 
 constexpr std::size_t least_of_fixed = 6;  ///< questions on either side, where no fresh ones confirm it, or of a bound
+constexpr std::size_t least_different_wrong = 3;  ///< for a condition on several numbers
 constexpr std::size_t most_in_vector = 4;
 constexpr std::size_t least_fresh = 6;      ///< questions on either side, in these sets together
 constexpr std::size_t least_elsewhere = 4;  ///< questions of another case that speak against a condition …
@@ -27,6 +29,15 @@ constexpr double most_common_seconds = 3;   ///< of one check, for fresh inputs
 bool has_both(const std::vector<bool>& wrong, std::size_t least)
 {
     return wrong_in(wrong) >= least && wrong.size() - wrong_in(wrong) >= least;
+}
+
+/// How many of the wrong ones differ in what is told of them: rows of one question do not.
+std::size_t different_wrong(const ToldSample& told)
+{
+    std::set<std::vector<double>> different;
+    for (std::size_t i = 0; i < told.wrong.size(); ++i)
+        if (told.wrong[i]) different.insert(told.numbers[i]);
+    return different.size();
 }
 
 /// "the right answer is nothing" is what people say.
@@ -144,6 +155,7 @@ std::optional<CommonCondition> condition_of(OtherCases& others, Samples& samples
     // That one of the many entries of a right matrix is 0 follows from much else.
     if (condition->of_answer && samples.seen().answers.components > most_in_vector) return std::nullopt;
     const bool fixed = samples.is_fixed();
+    if (!condition->fact && different_wrong(seen) < least_different_wrong) return std::nullopt;
     // Between few questions a bound can be put almost anywhere.
     if (condition->fitted && !has_both(seen.wrong, least_of_fixed)) return std::nullopt;
     const bool exact = condition->right_where == 0 && condition->wrong_where == condition->wrong;

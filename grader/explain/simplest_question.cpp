@@ -33,9 +33,15 @@ Size size_of(const QuestionLog& log, std::uint32_t question, const std::string& 
 {
     constexpr double letters_an_element = 10;
     Size size;
+    const bool has_grids = code.find("Grid<") != std::string::npos;
     if (const QuestionKind* kind = log.kind_of(question))
-        for (std::size_t i = 0; i < kind->features.size(); ++i)
-            if (kind->features[i].ends_with(".size()")) size.elements += kind->questions.at(question)[i];
+        for (std::size_t i = 0; i < kind->features.size(); ++i) {
+            const std::vector<double>& numbers = kind->questions.at(question);
+            if (kind->features[i].ends_with(".size()")) size.elements += numbers[i];
+            if (has_grids && i > 0 && kind->features[i].ends_with(".height") &&
+                kind->features[i - 1].ends_with(".width"))
+                size.elements += numbers[i - 1] * numbers[i];
+        }
     size.length = static_cast<double>(code.size()) + letters_an_element * size.elements;
     return size;
 }
