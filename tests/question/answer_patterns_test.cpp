@@ -160,7 +160,7 @@ TEST(AnswerPatterns, say_what_wrong_answers_have_to_do_with_their_questions)
             return Row{wrong(t, std::hypot(v[0], v[1], v[2]), right[0])};
         }));
     };
-    EXPECT_EQ(number([](double t, double, double) { return t; }), "is t");
+    EXPECT_EQ(number([](double t, double, double) { return t; }), "is the given t");
     EXPECT_EQ(number([](double t, double, double right) { return right + t; }), "is the right one plus t");
     EXPECT_EQ(number([](double t, double, double right) { return right - t; }), "is the right one minus t");
     EXPECT_EQ(number([](double, double length, double right) { return right * length; }),
