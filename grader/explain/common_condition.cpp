@@ -17,7 +17,8 @@ namespace umbral::grader {
 namespace {
 
 constexpr std::size_t least_of_fixed = 6;  ///< questions on either side, where no fresh ones confirm it, or of a bound
-constexpr std::size_t least_different_wrong = 3;  ///< for a condition on several numbers
+constexpr std::size_t least_different_wrong = 3;  ///< questions, for a condition on several numbers …
+constexpr std::size_t least_joined_of_fixed = 8;  ///< … where no fresh ones confirm it
 constexpr std::size_t most_in_vector = 4;
 constexpr std::size_t least_fresh = 6;      ///< questions on either side, in these sets together
 constexpr std::size_t least_elsewhere = 4;  ///< questions of another case that speak against a condition …
@@ -31,12 +32,17 @@ bool has_both(const std::vector<bool>& wrong, std::size_t least)
     return wrong_in(wrong) >= least && wrong.size() - wrong_in(wrong) >= least;
 }
 
-/// How many of the wrong ones differ in what is told of them: rows of one question do not.
+/// To how many different questions are these wrong answers? Rows of one are to the same.
 std::size_t different_wrong(const ToldSample& told)
 {
     std::set<std::vector<double>> different;
-    for (std::size_t i = 0; i < told.wrong.size(); ++i)
-        if (told.wrong[i]) different.insert(told.numbers[i]);
+    for (std::size_t i = 0; i < told.wrong.size(); ++i) {
+        if (!told.wrong[i]) continue;
+        std::vector<double> asked;
+        for (std::size_t k = 0; k < told.numbers[i].size() && k < told.facts.size(); ++k)
+            if (!told.facts[k].answer && !told.facts[k].label) asked.push_back(told.numbers[i][k]);
+        different.insert(std::move(asked));
+    }
     return different.size();
 }
 
@@ -155,7 +161,10 @@ std::optional<CommonCondition> condition_of(OtherCases& others, Samples& samples
     // That one of the many entries of a right matrix is 0 follows from much else.
     if (condition->of_answer && samples.seen().answers.components > most_in_vector) return std::nullopt;
     const bool fixed = samples.is_fixed();
-    if (!condition->fact && different_wrong(seen) < least_different_wrong) return std::nullopt;
+    // Of two numbers together anything parts a few.
+    const bool is_joined = !condition->fact && !condition->compares;
+    if (is_joined && different_wrong(seen) < (fixed ? least_joined_of_fixed : least_different_wrong))
+        return std::nullopt;
     // Between few questions a bound can be put almost anywhere.
     if (condition->fitted && !has_both(seen.wrong, least_of_fixed)) return std::nullopt;
     const bool exact = condition->right_where == 0 && condition->wrong_where == condition->wrong;

@@ -47,7 +47,20 @@ struct AskedOnce {
     const Tensor* right;
     std::optional<std::vector<std::size_t>> rows{};  ///< answers of the function; none: the check is judged as a whole
     std::size_t wrong = 0;
+    std::vector<std::size_t> wrong_rows{};  ///< of `rows`
 };
+
+/// Is there a right answer to none of these rows, or to all?
+std::optional<bool> presence_of(const Tensor& right, const std::vector<std::size_t>& rows)
+{
+    std::optional<bool> presence;
+    for (const std::size_t row : rows) {
+        const bool is_present = right.present.empty() || (row < right.present.size() && right.present[row] != 0);
+        if (presence.value_or(is_present) != is_present) return std::nullopt;
+        presence = is_present;
+    }
+    return presence;
+}
 
 class RightWith {
 public:
@@ -66,7 +79,9 @@ public:
         if (tried.empty()) return {};
         // One number in the place of another leads few questions away from what is wrong, whatever that is.
         if (first->rows && first->wrong < least_questions)
-            std::erase_if(tried, [](const OtherAnswers& one) { return !one.question.other.empty(); });
+            std::erase_if(tried, [](const OtherAnswers& one) {
+                return !one.question.other.empty() || one.question.change.starts_with("with ");
+            });
         bool is_confirmed = first->wrong > 1;
         const std::size_t sets = asked_.exercise.gl ? fresh_sets_of_drawings : fresh_sets;
         for (std::size_t i = 0; i < sets && !tried.empty(); ++i) {
@@ -113,8 +128,9 @@ private:
                 const QuestionKind* const kind = log.kind_of(answer.question);
                 if (!answer.row || kind == nullptr || kind->function != function_) continue;
                 once.rows->push_back(*answer.row);
-                once.wrong += answer.answer.wrong ? 1 : 0;
+                if (answer.answer.wrong) once.wrong_rows.push_back(*answer.row);
             }
+            once.wrong = once.wrong_rows.size();
         } else {
             once.wrong = judged_right(*yours, expected) ? 0 : 1;
         }
@@ -172,6 +188,9 @@ private:
             return false;
         if (!once.rows) return judged_right(*yours, one.right);
         if (!has_single_rows(asked_.check, yours, expected.value)) return false;
+        // Where nothing can be found any more, everybody is right.
+        if (presence_of(*expected.value, once.wrong_rows) == !presence_of(*once.right, once.wrong_rows).value_or(true))
+            return false;
         try {
             const std::vector<RowState> states = single_rows(asked_.check, *yours, expected);
             return std::ranges::all_of(

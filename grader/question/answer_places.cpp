@@ -99,6 +99,8 @@ std::string all_but_one(const AnswerTable& table, const std::vector<const Answer
     std::size_t right = table.keys;
     while (std::ranges::find(which, right) != which.end()) ++right;
     if (right == table.components || which.front() < table.keys) return {};
+    // The first number is often what the row is about, or how many others there are.
+    if (right == table.keys && columns[right].size() > 1) return {};
     const NumberPairs same = numbers_in(wrong, table.components, {right});
     if (std::set(same.right.begin(), same.right.end()).size() < least_values) return {};
     if (is_least_in_rows(table, wrong, right)) return {};

@@ -19,10 +19,14 @@ double dot(const std::vector<double>& row, const VectorColumns& a, const VectorC
     return sum;
 }
 
+/// Of a place with a fourth coordinate that is not 1, as of a direction, it is no number.
 double distance(const std::vector<double>& row, const VectorColumns& a, const VectorColumns& b)
 {
+    constexpr std::size_t most = 3;
+    for (const VectorColumns* const one : {&a, &b})
+        if (a.size != b.size && one->size > most && row[one->first + most] != 1) return std::nan("");
     double sum = 0;
-    for (std::size_t i = 0; i < a.size; ++i) {
+    for (std::size_t i = 0; i < std::min(a.size, b.size); ++i) {
         const double difference = row[a.first + i] - row[b.first + i];
         sum += difference * difference;
     }
@@ -210,13 +214,15 @@ std::vector<Fact> facts_of(const QuestionTable& table)
             facts.push_back(fact(a.words, Fact::Kind::tie, table, [&](const auto& row) { return ties_in(row, a); }));
         for (std::size_t j = i + 1; j < std::min(vectors.size(), most_vectors); ++j) {
             const VectorColumns& b = vectors[j];
-            if (a.size != b.size || b.first >= table.answers) continue;
+            const bool are_in_space = std::min(a.size, b.size) == 3 && std::max(a.size, b.size) == 4;
+            if ((a.size != b.size && !are_in_space) || b.first >= table.answers) continue;
             const Quantity of_a = quantity_of(a.words);
             const Quantity of_b = quantity_of(b.words);
             if (of_a == Quantity::light || of_b == Quantity::light) continue;
             if (of_a == Quantity::unknown && of_b == Quantity::unknown)
                 facts.push_back(fact(fmt::format("the distance between {} and {}", a.words, b.words),
                                      Fact::Kind::length, table, [&](const auto& row) { return distance(row, a, b); }));
+            if (a.size != b.size) continue;
             facts.push_back(fact(fmt::format("dot({}, {})", a.words, b.words), Fact::Kind::product, table,
                                  [&](const auto& row) { return dot(row, a, b); }));
             facts.push_back(fact(fmt::format("{} and {}", a.words, b.words), Fact::Kind::parallel, table,

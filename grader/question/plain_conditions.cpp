@@ -154,6 +154,8 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
     all.push_back(
         of_one(words + " is not 1", i, cost + 1, [](double x) { return !(std::abs(x - 1) < unit_rounding); }));
     if (!std::ranges::all_of(fact.values, is_whole_number)) {
+        // A length is one by chance.
+        if (fact.kind == Fact::Kind::length) return;
         const auto add = [&](const char* is, bool (*test)(double)) {
             all.push_back(of_one(words + is, i, cost + 5, test));
             // Very large floats are whole numbers: where one coordinate is, its size is the reason.
