@@ -9,6 +9,7 @@
 #include "explain/common_answer.hpp"
 #include "explain/other_cases.hpp"
 #include "explain/samples.hpp"
+#include "judge/rows/whole_number.hpp"
 #include "question/conditions.hpp"
 #include "question/one_sided.hpp"
 #include "worker/spent_on_runs.hpp"
@@ -32,18 +33,28 @@ bool has_both(const std::vector<bool>& wrong, std::size_t least)
     return wrong_in(wrong) >= least && wrong.size() - wrong_in(wrong) >= least;
 }
 
-/// To how many different questions are these wrong answers? Rows of one are to the same.
+/// To how many different questions are these wrong answers? Rows of one are to the same; and where the whole numbers of
+/// a question (how long its lists are, say) decide whether it is answered right, so are those with the same ones: a
+/// case may have the same few shapes with every seed.
 std::size_t different_wrong(const ToldSample& told)
 {
-    std::set<std::vector<double>> different;
-    for (std::size_t i = 0; i < told.wrong.size(); ++i) {
-        if (!told.wrong[i]) continue;
-        std::vector<double> asked;
-        for (std::size_t k = 0; k < told.numbers[i].size() && k < told.facts.size(); ++k)
-            if (!told.facts[k].answer && !told.facts[k].label) asked.push_back(told.numbers[i][k]);
-        different.insert(std::move(asked));
-    }
-    return different.size();
+    const auto is_asked = [&](std::size_t k) { return !told.facts[k].answer && !told.facts[k].label; };
+    const auto different = [&](auto is_told) {
+        std::set<std::vector<double>> wrong;
+        std::set<std::vector<double>> right;
+        for (std::size_t i = 0; i < told.wrong.size(); ++i) {
+            std::vector<double> one;
+            for (std::size_t k = 0; k < std::min(told.names.size(), told.facts.size()); ++k)
+                if (is_told(k)) one.push_back(told.facts[k].values[i]);
+            (told.wrong[i] ? wrong : right).insert(std::move(one));
+        }
+        const bool decides =
+            std::ranges::none_of(wrong, [&](const std::vector<double>& one) { return right.contains(one); });
+        return std::pair(decides, wrong.size());
+    };
+    const auto [decides, shapes] = different(
+        [&](std::size_t k) { return is_asked(k) && std::ranges::all_of(told.facts[k].values, is_whole_number); });
+    return decides ? shapes : different(is_asked).second;
 }
 
 /// "the right answer is nothing" is what people say.
