@@ -282,19 +282,6 @@ TEST(Conditions, hold_or_not_on_other_questions)
 }
 
 // A side of 1 is less than 30 degrees, always: that is no reason.
-// Sizes whose quotient is taken of integers.
-TEST(Conditions, find_numbers_that_are_no_multiples)
-{
-    QuestionTable table{{"framebuffer.x", "window.x", "cursor"}, {}};
-    for (int i = 0; i < 60; ++i) {
-        const int window = 20 + 7 * (i % 5);
-        const int framebuffer = window * (1 + i % 3) + (i % 4 < 2 ? 0 : 5 + i % 11);
-        table.numbers.push_back({double(framebuffer), double(window), double(i * i % 17)});
-    }
-    const auto is_no_multiple = [](const auto& row) { return std::fmod(row[0], row[1]) != 0; };
-    EXPECT_EQ(words(table, wrong_where(table, is_no_multiple)), "framebuffer.x is no multiple of window.x");
-}
-
 TEST(Conditions, compare_no_angle_with_a_length)
 {
     QuestionTable table{{"side", "fovy_degrees", "distance"}, {}};

@@ -44,5 +44,18 @@ TEST(Conditions, tell_a_determinant_that_is_taken_for_nothing)
               "the size of the determinant of frame.x, frame.y and frame.z is less than 1e-0");
 }
 
+// Sizes whose quotient is taken of integers.
+TEST(Conditions, find_numbers_that_are_no_multiples)
+{
+    QuestionTable table{{"framebuffer.x", "window.x", "cursor"}, {}};
+    for (int i = 0; i < 60; ++i) {
+        const int window = 20 + 7 * (i % 5);
+        const int framebuffer = window * (1 + i % 3) + (i % 4 < 2 ? 0 : 5 + i % 11);
+        table.numbers.push_back({double(framebuffer), double(window), double(i * i % 17)});
+    }
+    const auto is_no_multiple = [](const auto& row) { return std::fmod(row[0], row[1]) != 0; };
+    EXPECT_EQ(words(table, wrong_where(table, is_no_multiple)), "framebuffer.x is no multiple of window.x");
+}
+
 }
 }
