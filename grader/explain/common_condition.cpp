@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -45,7 +46,7 @@ std::size_t different_wrong(const ToldSample& told)
         for (std::size_t i = 0; i < told.wrong.size(); ++i) {
             std::vector<double> one;
             for (std::size_t k = 0; k < std::min(told.names.size(), told.facts.size()); ++k)
-                if (is_told(k)) one.push_back(told.facts[k].values[i]);
+                if (is_told(k) && !std::isnan(told.facts[k].values[i])) one.push_back(told.facts[k].values[i]);
             (told.wrong[i] ? wrong : right).insert(std::move(one));
         }
         const bool decides =

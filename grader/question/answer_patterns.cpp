@@ -209,9 +209,13 @@ void add_side(const AnswerTable& table, const Pairs& wrong, const std::vector<st
 void add_range(const AnswerTable& table, const Pairs& wrong, std::vector<AnswerPattern>& found)
 {
     if (table.picture || !table.kinds.empty()) return;
-    auto range = range_of_answers(table, wrong, wrong_components(wrong, table.components));
+    const std::vector<std::size_t> which = wrong_components(wrong, table.components);
+    const auto range = range_of_answers(table, wrong, which);
     if (!range) return;
-    found.insert(range->is_cut ? found.begin() : first_vague(found), {std::move(range->words)});
+    const std::string place =
+        which.size() == 1 && table.components > 1 ? place_of(table, which, columns_of_wrong_rows(table, wrong)) : "";
+    std::string words = place.empty() ? range->words : fmt::format("{}, which {}", place, range->words);
+    found.insert(range->is_cut ? found.begin() : first_vague(found), {std::move(words)});
 }
 
 /// Of so few anything may be true, but not that a number has wrapped round; and that the same numbers of a row are

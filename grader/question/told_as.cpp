@@ -78,13 +78,16 @@ std::optional<std::string> told_as_quotient(std::span<const double> values, std:
     const auto owner = [](const Fact& fact) {
         return std::string_view(fact.words).substr(0, fact.words.find_last_of(".[") + 1);
     };
+    std::vector<std::pair<const Fact*, std::vector<double>>> told;
+    for (const Fact& fact : facts)
+        if (is_usable(fact)) told.emplace_back(&fact, told_values(fact, questions));
     std::optional<std::string> words;
-    for (const Fact& above : facts)
-        for (const Fact& below : facts) {
-            if (&above == &below || !is_usable(above) || !is_usable(below) || owner(above) != owner(below)) continue;
-            if (!are_quotients(values, told_values(above, questions), told_values(below, questions))) continue;
+    for (const auto& [above, dividends] : told)
+        for (const auto& [below, divisors] : told) {
+            if (above == below || owner(*above) != owner(*below)) continue;
+            if (!are_quotients(values, dividends, divisors)) continue;
             if (words) return std::nullopt;
-            words = fmt::format("{} / {}", above.words, below.words);
+            words = fmt::format("{} / {}", above->words, below->words);
         }
     return words;
 }

@@ -70,5 +70,19 @@ TEST_F(RightWithNothingLeft, is_not_said)
     EXPECT_FALSE(is_said(result, "your answers are right")) << depends(result).front();
 }
 
+// With the radius 0 nothing is hit, and nothing is what work that misses answers.
+class RightWithNothingToFind : public SpoiltReference {
+protected:
+    RightWithNothingToFind() : SpoiltReference("raytracing/disc") {}
+};
+
+TEST_F(RightWithNothingToFind, is_not_said)
+{
+    const UnitResult result = grade("if (approach == 0)", "if (std::abs(approach) < 1e-4)");
+    EXPECT_LT(result.score, result.max_score);
+    for (const std::string& told : depends(result))
+        EXPECT_EQ(told.find("rounded towards 0"), std::string::npos) << told;
+}
+
 }
 }

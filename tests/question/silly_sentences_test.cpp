@@ -5,6 +5,7 @@
 
 #include "question/answer_patterns.hpp"
 #include "question/first_pattern.hpp"
+#include "question/possible_conditions.hpp"
 
 // What is plain to see, or is nothing that the student's code did, is not said.
 namespace umbral::grader::test {
@@ -174,6 +175,53 @@ TEST(SillySentences, entries_that_a_matrix_shows_are_not_listed)
     EXPECT_EQ(with({6}), "differs in entry (row 2, column 1) only");
     EXPECT_EQ(with({12, 13, 14}), "differs in column 3 only");
     EXPECT_EQ(with({3, 7, 11}), "differs in row 3 only");
+}
+
+/// What may be said of these questions, of which the first half is answered wrong.
+bool may_be_said(const QuestionTable& table, const std::string& words)
+{
+    std::vector<bool> wrong(table.numbers.size(), false);
+    std::fill_n(wrong.begin(), wrong.size() / 2, true);
+    const std::vector<PossibleCondition> all = possible_conditions(facts_of(table), wrong);
+    return std::ranges::any_of(all, [&](const PossibleCondition& one) { return one.words == words; });
+}
+
+// A light's colour is no place, and whether a length is a whole number is chance.
+TEST(SillySentences, colours_are_not_set_beside_places)
+{
+    QuestionTable table{{"light.color.x", "light.color.y", "light.color.z", "point.x", "point.y", "point.z"}, {}};
+    for (int i = 0; i < 8; ++i) table.numbers.push_back({1, 1, 1, 0.1 * i, 0.2 * i, i < 4 ? 0.3 : 0.0});
+    EXPECT_FALSE(may_be_said(table, "the length of light.color is greater than the length of point"));
+    EXPECT_FALSE(may_be_said(table, "light.color.x is greater than point.x"));
+    EXPECT_FALSE(may_be_said(table, "the length of point is no whole number"));
+    EXPECT_TRUE(may_be_said(table, "point.z is no whole number"));
+    table.names = {"light.center.x", "light.center.y", "light.center.z", "point.x", "point.y", "point.z"};
+    EXPECT_TRUE(may_be_said(table, "light.center.x is greater than point.x"));
+}
+
+// "enabled is equal to writes", where both are true.
+TEST(SillySentences, two_words_are_equal_only_where_they_are_so_in_several_ways)
+{
+    QuestionTable table{{"enabled", "writes"}, {{1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 0}, {0, 1}, {1, 0}, {0, 1}}};
+    table.words = {{"false", "true"}, {"false", "true"}};
+    EXPECT_FALSE(may_be_said(table, "enabled is equal to writes"));
+    table.numbers[1] = {0, 0};
+    EXPECT_TRUE(may_be_said(table, "enabled is equal to writes"));
+}
+
+// Places with a fourth coordinate, as OpenGL has lights: one that is 0 makes a direction of it.
+TEST(SillySentences, a_direction_is_at_no_distance)
+{
+    QuestionTable table{{"light.position.x", "light.position.y", "light.position.z", "light.position.w", "point.x",
+                         "point.y", "point.z"},
+                        {{1, 2, 2, 1, 0, 0, 0}, {1, 2, 2, 0, 0, 0, 0}}};
+    for (const Fact& fact : facts_of(table)) {
+        if (fact.words != "the distance between light.position and point") continue;
+        EXPECT_EQ(fact.values[0], 3);
+        EXPECT_TRUE(std::isnan(fact.values[1]));
+        return;
+    }
+    ADD_FAILURE() << "no distance";
 }
 
 }
