@@ -32,6 +32,7 @@ void record_session(Recorder& out, const std::vector<Step>& steps)
 // as if nothing had been asked.
 void record_pops(Recorder& out, Random& random)
 {
+    out.columns("thrown", "thrown (0: nothing; 1: EmptyStack; 2: another exception)");
     for (int i = 0; i < 40; ++i) {
         const bool first_works = random.below(2) == 0;
         for (const bool works : {first_works, !first_works}) {
