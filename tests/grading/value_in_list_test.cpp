@@ -1,4 +1,5 @@
 #include "explain/value_in_list.hpp"
+#include "spoilt_reference.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,6 +55,25 @@ TEST(ValueInList, equal_ones_are_counted)
 TEST(ValueInList, keys_that_say_more_than_places_are_none_of_its_business)
 {
     EXPECT_EQ(told({{5, 0}, {9, 1}}, {{5, 0}, {6, 1}}, 3), "") << "pixels, say";
+}
+
+class ListsOfCorners : public SpoiltReference {
+protected:
+    ListsOfCorners() : SpoiltReference("pipeline/clip-polygon") {}
+};
+
+// One corner too many, in the list that it stands in.
+TEST_F(ListsOfCorners, short_lists_are_shown_whole)
+{
+    const UnitResult result =
+        grade("while (result.size() > 1 && result.back() == result.front()) result.pop_back();", "");
+    const CheckResult& wrong = check(result, "borders/corners");
+    ASSERT_TRUE(wrong.first_difference);
+    const auto corners = [](const std::string& text) { return std::ranges::count(text, '('); };
+    EXPECT_EQ(wrong.first_difference->where, "this call");
+    EXPECT_GE(corners(wrong.first_difference->expected), 3) << wrong.first_difference->expected;
+    EXPECT_EQ(corners(wrong.first_difference->yours), corners(wrong.first_difference->expected) + 1)
+        << wrong.first_difference->yours;
 }
 
 }
