@@ -82,23 +82,28 @@ inline PolygonMesh prism(std::uint32_t sides)
     return mesh;
 }
 
-/// The same mesh with vertices and faces in another order, and faces begun at any corner. Corners that are no vertices
-/// stay what they are.
-inline PolygonMesh shuffled(const PolygonMesh& mesh, Random& random)
+/// The same mesh with faces in another order, and begun at any corner.
+inline PolygonMesh with_shuffled_faces(PolygonMesh mesh, Random& random)
 {
     const auto some = [&](std::size_t count) { return random.below(static_cast<std::uint32_t>(count)); };
-    PolygonMesh result = mesh;
+    for (std::size_t i = mesh.faces.size(); i > 1; --i) std::swap(mesh.faces[i - 1], mesh.faces[some(i)]);
+    for (auto& face : mesh.faces)
+        if (!face.empty()) std::rotate(face.begin(), face.begin() + some(face.size()), face.end());
+    return mesh;
+}
+
+/// The same, with vertices in another order too. Corners that are no vertices stay what they are.
+inline PolygonMesh shuffled(const PolygonMesh& mesh, Random& random)
+{
+    PolygonMesh result = with_shuffled_faces(mesh, random);
     std::vector<std::uint32_t> place(mesh.positions.size());
     for (std::uint32_t i = 0; i < place.size(); ++i) place[i] = i;
-    for (std::size_t i = place.size(); i > 1; --i) std::swap(place[i - 1], place[some(i)]);
-    for (std::size_t i = result.faces.size(); i > 1; --i) std::swap(result.faces[i - 1], result.faces[some(i)]);
+    for (std::size_t i = place.size(); i > 1; --i)
+        std::swap(place[i - 1], place[random.below(static_cast<std::uint32_t>(i))]);
     for (std::size_t i = 0; i < place.size(); ++i) result.positions[place[i]] = mesh.positions[i];
-    for (auto& face : result.faces) {
-        if (face.empty()) continue;
-        std::rotate(face.begin(), face.begin() + some(face.size()), face.end());
+    for (auto& face : result.faces)
         for (std::uint32_t& corner : face)
             if (corner < place.size()) corner = place[corner];
-    }
     return result;
 }
 
