@@ -156,8 +156,8 @@ std::string number_text(double recorded, int digits)
     if (value == 0 && digits < most_digits) return "0";
     // Ids, indices, counts and codes are told digit by digit, as far as 32 bits count.
     constexpr double last_whole = 4294967296;
-    // Beyond, those that only a double holds.
-    constexpr double last_of_doubles = 9007199254740992;
+    // Beyond, counts of bytes, say: those that only a double holds.
+    constexpr double last_of_doubles = 1099511627776;
     const bool is_a_count =
         std::abs(value) <= last_whole || (std::abs(value) <= last_of_doubles && static_cast<float>(value) != value);
     if (value == std::trunc(value) && is_a_count) return fmt::format("{:.0f}", value);
