@@ -38,6 +38,14 @@ bool is_mixed(const Tensor& tensor)
     return present > 0 && static_cast<std::size_t>(present) < tensor.present.size();
 }
 
+/// How many of these rows have a right answer.
+std::size_t present_among(const Tensor& right, const std::vector<std::size_t>& rows)
+{
+    return static_cast<std::size_t>(std::ranges::count_if(rows, [&](std::size_t row) {
+        return right.present.empty() || (row < right.present.size() && right.present[row] != 0);
+    }));
+}
+
 }
 
 double share_changed(const Tensor& before, const Tensor& after)
@@ -53,6 +61,14 @@ double share_changed(const Tensor& before, const Tensor& after)
         change += std::abs(one[i] - other[i]);
     }
     return size > 0 ? std::min(change / size, 1.0) : 1;
+}
+
+bool settles_presence(const Tensor& before, const Tensor& after, const std::vector<std::size_t>& rows)
+{
+    if (rows.empty()) return false;
+    const std::size_t were = present_among(before, rows);
+    const std::size_t are = present_among(after, rows);
+    return were > 0 ? are == 0 : are == rows.size();
 }
 
 bool leaves_answers(const OtherQuestion& change, const Tensor& before, const Tensor& after)

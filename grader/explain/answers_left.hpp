@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "question/log.hpp"
 
 #include <umbral/record/tensor.hpp>
@@ -8,6 +11,9 @@ namespace umbral::grader {
 
 /// How much the right answers change, as a share of their size; 1 where the two tables are not of one form.
 [[nodiscard]] double share_changed(const Tensor& before, const Tensor& after);
+
+/// Are these rows of right answers all empty after a change, where some were not, or all there where none was?
+[[nodiscard]] bool settles_presence(const Tensor& before, const Tensor& after, const std::vector<std::size_t>& rows);
 
 /// Is there about as much to be answered right as there was, with the change? Not where a count taken as 0 leaves
 /// nothing of a list.

@@ -1,12 +1,10 @@
 #include "explain/asked_answers.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
-#include <span>
 
 #include "explain/some_rows.hpp"
 #include "explain/value_in_list.hpp"
@@ -112,23 +110,6 @@ std::string number_of_rows(std::size_t rows)
     return rows == 0 ? "no row" : fmt::format("{} {}", rows, rows == 1 ? "row" : "rows");
 }
 
-/// The rows of a list that a question led to, short enough to be shown whole: "(4, 6), (8, 6)". Nothing where there is
-/// none, or where the two numbers behind the first one do not count them.
-std::optional<std::string> list_text(const Tensor& list, std::size_t keys, int digits)
-{
-    constexpr std::size_t most_rows = 8;
-    constexpr std::size_t keys_of_lists = 3;
-    if (keys != keys_of_lists || list.rows == 0 || list.rows > most_rows) return std::nullopt;
-    const std::vector<double> numbers = to_doubles(list);
-    std::vector<std::string> rows;
-    for (std::size_t row = 0; row < list.rows; ++row) {
-        const auto own = std::span(numbers).subspan(row * list.components, list.components);
-        if (own[1] != static_cast<double>(row) || own[2] != 0) return std::nullopt;
-        rows.push_back(row_text(own.subspan(keys), digits));
-    }
-    return fmt::format("{}", fmt::join(rows, ", "));
-}
-
 /// What is wrong in the rows of one question.
 WrongGroup wrong_group(const Check& check, std::uint32_t question, const RowsOfQuestion& rows, const Tensor& yours,
                        const Tensor& expected, const Expected& all, const Tensor* margin)
@@ -150,11 +131,9 @@ WrongGroup wrong_group(const Check& check, std::uint32_t question, const RowsOfQ
                                     : fmt::format("one call: expected {}, {}", apart->expected, came);
             if (apart->cell) apart->cell = rows.expected.at(*apart->cell);
             const bool are_both = apart->yours != "nothing" && apart->expected != "nothing";
-            if (list_text(yours, keys, usual_digits) && list_text(expected, keys, usual_digits)) {
-                auto [mine, right] = telling_apart([&](int digits) {
-                    return std::pair(*list_text(yours, keys, digits), *list_text(expected, keys, digits));
-                });
-                *apart = {"this call", std::move(mine), std::move(right), apart->cell};
+            if (auto whole = short_lists(yours, expected, keys)) {
+                whole->cell = apart->cell;
+                apart = std::move(whole);
             }
             return {question, std::move(apart), std::move(words), are_both};
         }

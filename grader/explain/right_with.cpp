@@ -50,18 +50,6 @@ struct AskedOnce {
     std::vector<std::size_t> wrong_rows{};  ///< of `rows`
 };
 
-/// Is there a right answer to none of these rows, or to all?
-std::optional<bool> presence_of(const Tensor& right, const std::vector<std::size_t>& rows)
-{
-    std::optional<bool> presence;
-    for (const std::size_t row : rows) {
-        const bool is_present = right.present.empty() || (row < right.present.size() && right.present[row] != 0);
-        if (presence.value_or(is_present) != is_present) return std::nullopt;
-        presence = is_present;
-    }
-    return presence;
-}
-
 class RightWith {
 public:
     RightWith(Worker& worker, const AskedCheck& asked, SpareTime& time) : worker_(worker), asked_(asked), time_(time) {}
@@ -75,13 +63,13 @@ public:
         keep_nearest(*first, tried);
         drop_moved(*first, tried);
         if (places_of(tried) > most_changed_places) return {};
-        drop_what_is_so_of_most(*first, tried);
-        if (tried.empty()) return {};
         // One number in the place of another leads few questions away from what is wrong, whatever that is.
         if (first->rows && first->wrong < least_questions)
             std::erase_if(tried, [](const OtherAnswers& one) {
                 return !one.question.other.empty() || one.question.change.starts_with("with ");
             });
+        drop_what_is_so_of_most(*first, tried);
+        if (tried.empty()) return {};
         bool is_confirmed = first->wrong > 1;
         const std::size_t sets = asked_.exercise.gl ? fresh_sets_of_drawings : fresh_sets;
         for (std::size_t i = 0; i < sets && !tried.empty(); ++i) {
@@ -189,8 +177,7 @@ private:
         if (!once.rows) return judged_right(*yours, one.right);
         if (!has_single_rows(asked_.check, yours, expected.value)) return false;
         // Where nothing can be found any more, everybody is right.
-        if (presence_of(*expected.value, once.wrong_rows) == !presence_of(*once.right, once.wrong_rows).value_or(true))
-            return false;
+        if (settles_presence(*once.right, *expected.value, once.wrong_rows)) return false;
         try {
             const std::vector<RowState> states = single_rows(asked_.check, *yours, expected);
             return std::ranges::all_of(

@@ -1,5 +1,8 @@
 #include "explain/value_in_list.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,6 +44,24 @@ std::vector<Row> values_of(const TensorView& list, std::size_t keys)
     return rows;
 }
 
+/// Are these the rows of a list, and few enough to be shown whole?
+bool is_short_list(const TensorView& list, std::size_t keys)
+{
+    constexpr std::size_t keys_of_lists = 3;
+    constexpr std::size_t most_shown = 8;
+    if (keys != keys_of_lists || list.cells() == 0 || list.cells() > most_shown) return false;
+    for (std::size_t i = 0; i < list.cells(); ++i)
+        if (list.cell(i)[1] != static_cast<double>(i) || list.cell(i)[2] != 0) return false;
+    return true;
+}
+
+std::string text_of(const std::vector<Row>& rows, int digits)
+{
+    std::vector<std::string> all;
+    for (const Row& row : rows) all.push_back(row_text(row, digits));
+    return fmt::format("{}", fmt::join(all, ", "));
+}
+
 /// The places of those that are true.
 std::vector<std::size_t> places_of(const std::vector<bool>& all)
 {
@@ -77,6 +98,18 @@ std::optional<Difference> first_value_apart(const Tensor& yours, const Tensor& e
         std::ranges::min_element(surplus, {}, [&](std::size_t other) { return apart_from(my_rows[other], row); });
     if (nearest != surplus.end()) apart.yours = row_text(my_rows[*nearest]);
     return apart;
+}
+
+std::optional<Difference> short_lists(const Tensor& yours, const Tensor& expected, std::size_t keys)
+{
+    const TensorView mine(yours);
+    const TensorView right(expected);
+    if (!is_short_list(mine, keys) || !is_short_list(right, keys)) return std::nullopt;
+    const std::vector<Row> my_rows = values_of(mine, keys);
+    const std::vector<Row> right_rows = values_of(right, keys);
+    auto [my_text, right_text] =
+        telling_apart([&](int digits) { return std::pair(text_of(my_rows, digits), text_of(right_rows, digits)); });
+    return Difference{"this call", std::move(my_text), std::move(right_text)};
 }
 
 }

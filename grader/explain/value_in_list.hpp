@@ -16,4 +16,8 @@ namespace umbral::grader {
 [[nodiscard]] std::optional<Difference> first_value_apart(const Tensor& yours, const Tensor& expected,
                                                           std::size_t keys);
 
+/// Two lists that a question led to, as "(4, 6), (8, 6)", without the keys; with no cell. Nothing if one has no rows or
+/// more than a few, or if its keys are others than the question, the row's place and 0.
+[[nodiscard]] std::optional<Difference> short_lists(const Tensor& yours, const Tensor& expected, std::size_t keys);
+
 }

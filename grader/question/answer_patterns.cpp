@@ -204,6 +204,12 @@ void add_side(const AnswerTable& table, const Pairs& wrong, const std::vector<st
         found.push_back({fmt::format("is {} in each number that differs", *side), CommonTells::side});
 }
 
+/// Which numbers of a row are wrong, in words; empty where a row is one number, or no words say it.
+std::string place_of_wrong(const AnswerTable& table, const Pairs& wrong, const std::vector<std::size_t>& which)
+{
+    return table.components == 1 ? "" : place_of(table, which, columns_of_wrong_rows(table, wrong));
+}
+
 /// Bounds that no answer passes. That right ones are cut stands before what it makes of the wrong ones: these may all
 /// be 0, say.
 void add_range(const AnswerTable& table, const Pairs& wrong, std::vector<AnswerPattern>& found)
@@ -212,8 +218,7 @@ void add_range(const AnswerTable& table, const Pairs& wrong, std::vector<AnswerP
     const std::vector<std::size_t> which = wrong_components(wrong, table.components);
     const auto range = range_of_answers(table, wrong, which);
     if (!range) return;
-    const std::string place =
-        which.size() == 1 && table.components > 1 ? place_of(table, which, columns_of_wrong_rows(table, wrong)) : "";
+    const std::string place = which.size() == 1 ? place_of_wrong(table, wrong, which) : "";
     std::string words = place.empty() ? range->words : fmt::format("{}, which {}", place, range->words);
     found.insert(range->is_cut ? found.begin() : first_vague(found), {std::move(words)});
 }
@@ -224,7 +229,7 @@ void add_to_few(const AnswerTable& table, const Pairs& wrong, std::vector<Answer
 {
     if (wrong.empty() || !can_be_compared(wrong)) return;
     const std::vector<std::size_t> which = wrong_components(wrong, table.components);
-    const std::string place = table.components == 1 ? "" : place_of(table, which, columns_of_wrong_rows(table, wrong));
+    const std::string place = place_of_wrong(table, wrong, which);
     const NumberPairs numbers = numbers_in(wrong, table.components, which);
     if (const auto change = wrapped_numbers(numbers.yours, numbers.right))
         found.push_back({place.empty() ? "is " + *change : fmt::format("{}, which is {}", place, *change)});

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "question/names.hpp"
 #include "question/possible_conditions.hpp"
 
 namespace umbral::grader {
@@ -98,13 +99,6 @@ std::string_view said_of(const PossibleCondition& one, const std::vector<Fact>& 
 {
     const std::string& words = facts[*one.fact].words;
     return one.words.starts_with(words) ? std::string_view(one.words).substr(words.size()) : std::string_view();
-}
-
-/// "viewport" of "viewport.width", and of "width" nothing: what numbers that are said the same of belong to.
-std::string_view owner_of(std::string_view words)
-{
-    const std::size_t end = words.find_last_of(".[");
-    return end == std::string_view::npos ? std::string_view() : words.substr(0, end);
 }
 
 /// The same of two or three numbers that lie together, one of which is enough: "a.width is odd or a.height is odd".

@@ -7,6 +7,8 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "question/names.hpp"
+
 namespace umbral::grader {
 namespace {
 
@@ -61,9 +63,6 @@ double signed_area(const std::vector<double>& row, const VectorColumns& a, const
     };
     return across(b, 0) * across(c, 1) - across(b, 1) * across(c, 0);
 }
-
-/// Of "frame.x" the "frame.", of "corners[0]" the "corners[": what vectors of one struct or array have in common.
-std::string_view owner(std::string_view words) { return words.substr(0, words.find_last_of(".[") + 1); }
 
 /// The least or the largest coordinate of a vector; NaN if one is no number.
 template <class Best>
@@ -122,9 +121,9 @@ void add_triples(const QuestionTable& table, const std::vector<VectorColumns>& v
         const VectorColumns& a = vectors[i];
         const VectorColumns& b = vectors[i + 1];
         const VectorColumns& c = vectors[i + 2];
-        const std::string_view of = owner(a.words);
-        const bool together = !of.empty() && owner(b.words) == of && owner(c.words) == of && a.size == b.size &&
-                              b.size == c.size && (i == 0 || owner(vectors[i - 1].words) != of);
+        const std::string_view of = owner_of(a.words);
+        const bool together = !of.empty() && owner_of(b.words) == of && owner_of(c.words) == of && a.size == b.size &&
+                              b.size == c.size && (i == 0 || owner_of(vectors[i - 1].words) != of);
         if (!together || a.first >= table.answers || a.size > 3) continue;
         if (a.size == 3)
             add_determinant(a, b, c);
@@ -133,17 +132,17 @@ void add_triples(const QuestionTable& table, const std::vector<VectorColumns>& v
                 fmt::format("the signed area of {}, {} and {}", a.words, b.words, c.words), table,
                 [&](const auto& row) { return signed_area(row, a, b, c); }, facts);
     }
-    const auto is_in_space = [&](const VectorColumns& one) {
+    std::vector<VectorColumns> in_space;
+    std::ranges::copy_if(vectors, std::back_inserter(in_space), [&](const VectorColumns& one) {
         return one.size == 3 && one.first < table.answers && quantity_of(one.words) != Quantity::light;
-    };
-    constexpr std::ptrdiff_t few = 4;
-    if (std::ranges::count_if(vectors, is_in_space) > few) return;
-    for (const VectorColumns& a : vectors)
-        for (const VectorColumns& b : vectors)
-            for (const VectorColumns& c : vectors) {
-                const bool in_order = a.first < b.first && b.first < c.first;
-                if (!in_order || !is_in_space(a) || !is_in_space(b) || !is_in_space(c)) continue;
-                if (owner(a.words) != owner(b.words) || owner(b.words) != owner(c.words)) add_determinant(a, b, c);
+    });
+    constexpr std::size_t few = 4;
+    if (in_space.size() > few) return;
+    for (auto a = in_space.begin(); a != in_space.end(); ++a)
+        for (auto b = a + 1; b < in_space.end(); ++b)
+            for (auto c = b + 1; c < in_space.end(); ++c) {
+                const std::string_view of = owner_of(a->words);
+                if (owner_of(b->words) != of || owner_of(c->words) != of) add_determinant(*a, *b, *c);
             }
 }
 

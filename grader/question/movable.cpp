@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "question/names.hpp"
+
 namespace umbral::grader {
 namespace {
 
@@ -15,13 +17,6 @@ bool is_within(std::string_view feature, std::string_view place)
 {
     return feature.starts_with(place) &&
            (feature.size() == place.size() || feature[place.size()] == '.' || feature[place.size()] == '[');
-}
-
-/// What a place is a part of; empty of an argument.
-std::string_view outer(std::string_view place)
-{
-    const std::size_t end = place.find_last_of(".[");
-    return end == std::string_view::npos ? std::string_view() : place.substr(0, end);
 }
 
 /// Have the numbers at the place together length 1 in all questions?
@@ -40,7 +35,7 @@ bool is_unit(const QuestionKind& kind, std::string_view place)
 /// Has the place, or one that it is a part of, length 1 in all questions?
 bool is_within_unit(const QuestionKind& kind, std::string_view place)
 {
-    for (; !place.empty(); place = outer(place))
+    for (; !place.empty(); place = owner_of(place))
         if (is_unit(kind, place)) return true;
     return false;
 }
@@ -74,13 +69,13 @@ std::vector<OtherQuestion> movable(const QuestionLog& log, const std::string& fu
         const bool is_unit_vector = std::ranges::find(unit_vectors, move.place) != unit_vectors.end();
         if (is_unit_vector != (move.change == keeps_length)) continue;
         const auto stands_beside = [&](const std::string& other) {
-            return other != move.place && !outer(other).empty() && outer(other) == outer(move.place);
+            return other != move.place && !owner_of(other).empty() && owner_of(other) == owner_of(move.place);
         };
         if (is_unit_vector && std::ranges::any_of(unit_vectors, stands_beside)) continue;
         if (is_fixed_entry(*kind, move)) continue;
         const std::string part =
             move.place + (move.change.ends_with(']') ? move.change.substr(move.change.find('[')) : "");
-        if (!is_within_unit(*kind, outer(part))) all.push_back(move);
+        if (!is_within_unit(*kind, owner_of(part))) all.push_back(move);
     }
     return all;
 }

@@ -93,6 +93,12 @@ std::vector<std::string> parameter_names(std::string_view header, std::string_vi
     return {};
 }
 
+std::string_view owner_of(std::string_view words)
+{
+    const std::size_t end = words.find_last_of(".[");
+    return end == std::string_view::npos ? std::string_view() : words.substr(0, end);
+}
+
 std::string in_words(std::string_view place, const std::vector<std::string>& parameters)
 {
     constexpr std::array ordinals = {"first", "second", "third", "fourth", "fifth", "sixth"};

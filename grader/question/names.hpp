@@ -10,6 +10,10 @@ namespace umbral::grader {
 /// none of that name; an empty name where it gives none. Of overloads, the first.
 [[nodiscard]] std::vector<std::string> parameter_names(std::string_view header, std::string_view function);
 
+/// Of "frame.x" the "frame", of "corners[0]" the "corners": the struct or array that a number or a vector is a part of;
+/// empty for what is a part of none.
+[[nodiscard]] std::string_view owner_of(std::string_view words);
+
 /// A place in a question's arguments in the header's words: "ray.origin.x" for "0.origin.x", "the first argument" where
 /// the header has no name for it.
 [[nodiscard]] std::string in_words(std::string_view place, const std::vector<std::string>& parameters);

@@ -197,12 +197,13 @@ std::optional<std::string> wrapped_numbers(std::span<const double> yours, std::s
             return fmt::format("what an integer of {} bits can hold of the right one (its rest modulo 2^{})", bits,
                                bits);
         // Of a sum one term may have wrapped round, and large ones may be recorded as floats.
-        const bool lacks_multiples = std::ranges::equal(yours, right, [range](double a, double b) {
-            const double rounded = b * std::numeric_limits<float>::epsilon() / 2;
-            return a == std::trunc(a) && b == std::trunc(b) && b - a > range / 2 && rounded < range / 1024 &&
-                   std::abs(std::remainder(b - a, range)) <= (b < std::ldexp(1, 24) ? 0 : rounded);
-        });
-        if (lacks_multiples && bits > 8)
+        const bool lacks_multiples =
+            bits > 8 && std::ranges::equal(yours, right, [range](double a, double b) {
+                const double rounded = b * std::numeric_limits<float>::epsilon() / 2;
+                return a == std::trunc(a) && b == std::trunc(b) && b - a > range / 2 && rounded < range / 1024 &&
+                       std::abs(std::remainder(b - a, range)) <= (b < std::ldexp(1, 24) ? 0 : rounded);
+            });
+        if (lacks_multiples)
             return fmt::format("the right one less a multiple of 2^{}: an integer of {} bits is too small for a part",
                                bits, bits);
     }

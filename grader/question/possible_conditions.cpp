@@ -113,7 +113,7 @@ void add_multiple(const std::vector<Fact>& facts, std::size_t i, std::size_t j, 
     constexpr std::size_t least_values = 3;
     const Fact& a = facts[i];
     const Fact& b = facts[j];
-    if (a.kind != Fact::Kind::number || b.kind != Fact::Kind::number || !a.value_names.empty()) return;
+    if (a.kind != Fact::Kind::number || b.kind != Fact::Kind::number) return;
     // With few of either it is true by chance.
     std::set<std::pair<double, double>> multiples;
     std::set<std::pair<double, double>> others;
@@ -176,17 +176,17 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
                        cost + more});
         all.back().compares = true;
     };
-    if (a.value_names.empty()) {
+    const bool named = !a.value_names.empty();
+    if (!named) {
         add(
             "less than", [](double x, double y) { return x < y; }, 0);
         add(
             "greater than", [](double x, double y) { return x > y; }, 0);
+        add_multiple(facts, i, j, cost + 3, all);
+        add_multiple(facts, j, i, cost + 3, all);
     }
-    add_multiple(facts, i, j, cost + 3, all);
-    add_multiple(facts, j, i, cost + 3, all);
     // Two that measure different things are equal by chance, where they are always the same number.
-    if (a.value_names.empty() && !are_equal_often(a, b)) return;
-    const bool named = !a.value_names.empty();
+    if (!named && !are_equal_often(a, b)) return;
     if (!named || are_wrong_with_several(a, b, wrong, true))
         add(
             "equal to", [](double x, double y) { return x == y; }, 0);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "question/alike.hpp"
+#include "question/names.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -75,16 +76,13 @@ std::optional<std::string> told_as_quotient(std::span<const double> values, std:
                                             const std::vector<Fact>& facts)
 {
     const auto is_usable = [](const Fact& fact) { return fact.kind == Fact::Kind::number && !fact.answer; };
-    const auto owner = [](const Fact& fact) {
-        return std::string_view(fact.words).substr(0, fact.words.find_last_of(".[") + 1);
-    };
     std::vector<std::pair<const Fact*, std::vector<double>>> told;
     for (const Fact& fact : facts)
         if (is_usable(fact)) told.emplace_back(&fact, told_values(fact, questions));
     std::optional<std::string> words;
     for (const auto& [above, dividends] : told)
         for (const auto& [below, divisors] : told) {
-            if (above == below || owner(*above) != owner(*below)) continue;
+            if (above == below || owner_of(above->words) != owner_of(below->words)) continue;
             if (!are_quotients(values, dividends, divisors)) continue;
             if (words) return std::nullopt;
             words = fmt::format("{} / {}", above->words, below->words);
