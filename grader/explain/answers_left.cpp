@@ -82,4 +82,12 @@ bool leaves_answers(const OtherQuestion& change, const Tensor& before, const Ten
     return 2 * different_rows(after) > different_rows(before) && (!is_all_zero(after) || is_all_zero(before));
 }
 
+bool are_right_by_chance(std::size_t asked, std::size_t wrong)
+{
+    constexpr double unlikely = 0.01;
+    if (asked == 0) return false;
+    const double right = 1 - static_cast<double>(wrong) / static_cast<double>(asked);
+    return std::pow(right, wrong) > unlikely;
+}
+
 }

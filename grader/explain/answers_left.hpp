@@ -19,4 +19,8 @@ namespace umbral::grader {
 /// nothing of a list.
 [[nodiscard]] bool leaves_answers(const OtherQuestion& change, const Tensor& before, const Tensor& after);
 
+/// Of so many answers so many were wrong: would any other questions in their place lead to right ones, because nearly
+/// all do?
+[[nodiscard]] bool are_right_by_chance(std::size_t asked, std::size_t wrong);
+
 }

@@ -70,14 +70,17 @@ public:
             });
         drop_what_is_so_of_most(*first, tried);
         if (tried.empty()) return {};
+        count(*first);
         bool is_confirmed = first->wrong > 1;
         const std::size_t sets = asked_.exercise.gl ? fresh_sets_of_drawings : fresh_sets;
         for (std::size_t i = 0; i < sets && !tried.empty(); ++i) {
             const std::optional<AskedOnce> fresh = asked_at(varied_seed(asked_, fresh_changes_place + i));
             if (!fresh || fresh->wrong == 0) continue;
             keep_right(*fresh, tried, is_confirmed);
+            count(*fresh);
             is_confirmed = true;
         }
+        if (are_right_by_chance(asked_rows_, wrong_rows_)) return {};
         std::vector<OtherQuestion> changes;
         for (OtherAnswers& one : tried)
             if (is_confirmed && changes.size() < most_changes_told) changes.push_back(std::move(one.question));
@@ -123,6 +126,13 @@ private:
             once.wrong = judged_right(*yours, expected) ? 0 : 1;
         }
         return once;
+    }
+
+    void count(const AskedOnce& once)
+    {
+        if (!once.rows) return;
+        asked_rows_ += once.rows->size();
+        wrong_rows_ += once.wrong;
     }
 
     /// By the check's rule; what it cannot judge of other questions' right answers is not right.
@@ -254,6 +264,8 @@ private:
     const AskedCheck& asked_;
     SpareTime& time_;
     std::string function_;
+    std::size_t asked_rows_ = 0;  ///< of all inputs that were looked at
+    std::size_t wrong_rows_ = 0;
 };
 
 }

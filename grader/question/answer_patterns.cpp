@@ -17,6 +17,7 @@
 #include "question/answer_range.hpp"
 #include "question/answer_relations.hpp"
 #include "question/list_patterns.hpp"
+#include "question/matrix_lines.hpp"
 #include "question/nearly_right.hpp"
 #include "question/number_changes.hpp"
 #include "question/wrong_numbers.hpp"
@@ -101,49 +102,6 @@ void add_constant(const Pairs& wrong, std::vector<AnswerPattern>& found)
     if (wrong.front()->yours.size() > most_numbers || wrong.front()->yours.empty()) return;
     if (all_equal(wrong, &AnswerPair::yours) && !all_equal(wrong, &AnswerPair::expected))
         found.push_back({"is " + in_words(wrong.front()->yours), CommonTells::constant});
-}
-
-/// So many numbers of each row, from this one on, as vectors; none where an answer is not one row.
-WrongVectors wrong_vectors(const AnswerTable& table, const Pairs& wrong, std::size_t first, std::size_t count)
-{
-    WrongVectors vectors{count, {}, {}, {}, questions_of(table, wrong)};
-    if (vectors.questions.empty()) return vectors;
-    for (const AnswerPair* one : wrong) {
-        vectors.yours.push_back(std::span(one->yours).subspan(first, count));
-        vectors.right.push_back(std::span(one->expected).subspan(first, count));
-    }
-    return vectors;
-}
-
-/// What each of the wrong columns of square matrices is, if that can be said of all of them.
-void add_matrix_columns(const AnswerTable& table, const Pairs& wrong, const std::vector<std::size_t>& which,
-                        std::vector<AnswerPattern>& found)
-{
-    const std::size_t side = table.components == 16 ? 4 : 3;
-    if (side * side != table.components) return;
-    std::set<std::size_t> columns;
-    for (const std::size_t i : which) columns.insert(i / side);
-    const bool affine = side == 4 && std::ranges::none_of(which, [](std::size_t i) { return i % 4 == 3; });
-    std::vector<std::string> parts;
-    std::set<std::string> relations;
-    for (const std::size_t column : columns) {
-        const std::size_t count = affine ? 3 : side;
-        const WrongVectors vectors = wrong_vectors(table, wrong, column * side, count);
-        std::optional<std::string> relation;
-        if (auto found_here = relation_of(vectors, table.facts)) relation = std::move(found_here->words);
-        for (std::size_t other = 0; !relation && other < side; ++other)
-            if (const auto sign = sign_between(vectors.yours, wrong_vectors(table, wrong, other * side, count).right))
-                relation = fmt::format("is the right column {}{}", other, *sign > 0 ? "" : " with the opposite sign");
-        if (!relation) return;
-        parts.push_back(fmt::format("column {} {}", column, *relation));
-        relations.insert(*relation);
-    }
-    if (columns.size() < side)
-        found.push_back({fmt::format("is right but for some columns: {}", fmt::join(parts, ", "))});
-    else if (relations.size() == 1)
-        found.push_back({"has columns each of which " + *relations.begin()});
-    else
-        found.push_back({fmt::format("is wrong in all columns: {}", fmt::join(parts, ", "))});
 }
 
 /// Is each of them what stands in the row before: the right answer there, or the student's own?
@@ -252,7 +210,7 @@ void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<An
     }
     if (which.size() > 1)
         if (const auto distance = distance_of(table, wrong, which, columns)) found.push_back({"is " + *distance});
-    if (which.size() > 1) add_matrix_columns(table, wrong, which, found);
+    for (AnswerPattern& one : matrix_line_patterns(table, wrong, which)) found.push_back(std::move(one));
     if (which.size() > 1) add_change_of_all(table, wrong, which, place, found);
     if (which.size() > 1 && !place.empty())
         if (const auto other = of_another_name(table, wrong, which, columns))

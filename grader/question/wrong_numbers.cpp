@@ -7,7 +7,6 @@
 
 #include "question/alike.hpp"
 #include "question/answer_columns.hpp"
-#include "question/answer_relations.hpp"
 #include "question/distance_relation.hpp"
 #include "question/number_changes.hpp"
 
@@ -56,6 +55,18 @@ std::vector<std::size_t> questions_of(const AnswerTable& table, const std::vecto
             questions.push_back(static_cast<std::size_t>(one - table.answers.data()));
     if (questions.size() != wrong.size()) questions.clear();
     return questions;
+}
+
+WrongVectors wrong_vectors(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong, std::size_t first,
+                           std::size_t count)
+{
+    WrongVectors vectors{count, {}, {}, {}, questions_of(table, wrong)};
+    if (vectors.questions.empty()) return vectors;
+    for (const AnswerPair* one : wrong) {
+        vectors.yours.push_back(std::span(one->yours).subspan(first, count));
+        vectors.right.push_back(std::span(one->expected).subspan(first, count));
+    }
+    return vectors;
 }
 
 std::optional<AnswerPattern> change_of(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "question/answer_patterns.hpp"
+#include "question/answer_relations.hpp"
 
 namespace umbral::grader {
 
@@ -24,6 +25,10 @@ struct NumberPairs {
 /// Where each answer is one row: which question it answers. Nothing where one is not.
 [[nodiscard]] std::vector<std::size_t> questions_of(const AnswerTable& table,
                                                     const std::vector<const AnswerPair*>& wrong);
+
+/// So many numbers of each row, from this one on, as vectors; none where an answer is not one row.
+[[nodiscard]] WrongVectors wrong_vectors(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong,
+                                         std::size_t first, std::size_t count);
 
 /// What each wrong number in this place of a row is: "the right one plus 1", "the right y" by these names of columns.
 [[nodiscard]] std::optional<AnswerPattern> change_of(const AnswerTable& table,

@@ -225,6 +225,30 @@ TEST(AnswerRelations, find_a_column_in_another_one_s_place)
     EXPECT_EQ(copied(-1), "is right but for some columns: column 1 is the right column 0 with the opposite sign");
 }
 
+TEST(AnswerRelations, find_rows_with_the_opposite_sign)
+{
+    EXPECT_EQ(first_pattern(answers(9,
+                                    [](const Asked& one) {
+                                        Row wrong = one.right;
+                                        for (const std::size_t i : {1, 4, 7}) wrong[i] = -wrong[i];
+                                        return wrong;
+                                    })),
+              "is right but for some rows: row 1 is the right one with the opposite sign");
+}
+
+TEST(AnswerRelations, tell_of_most_columns_what_cannot_be_told_of_all)
+{
+    EXPECT_EQ(first_pattern(answers(9,
+                                    [](const Asked& one) {
+                                        Row wrong = one.right;
+                                        for (const std::size_t i : {0, 1, 2, 6, 7, 8}) wrong[i] = -wrong[i];
+                                        wrong[3] = std::sin(99 * wrong[3]) + 4;
+                                        wrong[4] = std::cos(99 * wrong[4]) + 4;
+                                        return wrong;
+                                    })),
+              "is wrong in several columns, of which each of columns 0 and 2 is the right one with the opposite sign");
+}
+
 // Light that a surface gives off itself, say: beside bright light, floats keep few digits of it.
 TEST(AnswerRelations, find_the_vector_that_is_lacking_or_too_much)
 {
