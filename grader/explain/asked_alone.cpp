@@ -33,6 +33,14 @@ RowNumbers answered_rows(const Check& check, const RunOutcome& run, const Tensor
     return rows;
 }
 
+/// Is nothing what is to be found, and what was?
+bool is_nothing_right(const Check& check, const RunOutcome& run)
+{
+    const Tensor* const recorded = tensor_of(run, check.value);
+    return !check.relation && judge_of(check).plain_values && recorded != nullptr && well_formed(*recorded) &&
+           answered_rows(check, run, *recorded).empty();
+}
+
 /// The rows that a run recorded for its only question beside those that the question has where all is asked. They stand
 /// elsewhere: who is not asked for a list gives none, and what stands behind it moves up.
 bool is_answer_right(const Check& check, const RunOutcome& run, const Expected& expected, const RowNumbers& places)
@@ -66,6 +74,7 @@ bool is_row_right(const Check& check, const RunOutcome& run, const Expected& exp
     if (run.verdict != Verdict::ok || expected.value == nullptr) return false;
     if (const RowNumbers places = rows_of(asked.log, check.value, asked.question); !places.empty())
         return is_answer_right(check, run, expected, places);
+    if (asked.log.rows.contains(check.value)) return is_nothing_right(check, run);
     CaseResult alone;
     alone.past = run;
     const auto answers = answers_past_crashes(check, alone, *expected.value);

@@ -34,7 +34,11 @@ struct AnswersOfKind {
 void add_answer(const AskedAnswers& answers, const AskedAnswer& one, std::vector<double>& numbers)
 {
     if (answers.optional) numbers.push_back(one.answer.expected.empty() ? 0 : 1);
-    if (!one.row) return;
+    if (!one.row) {
+        numbers.push_back(
+            static_cast<double>(one.answer.expected.size() / std::max<std::size_t>(answers.components, 1)));
+        return;
+    }
     for (std::size_t i = 0; i < answers.components; ++i)
         numbers.push_back(one.answer.expected.empty() ? 0 : one.answer.expected[i]);
 }
@@ -74,7 +78,11 @@ bool is_label(const AskedAnswers& answers, std::size_t component)
 void name_answers(const AskedAnswers& answers, QuestionTable& table)
 {
     if (answers.optional) table.names.emplace_back(has_answer);
-    if (answers.all.empty() || !answers.all.front().row) return;
+    if (answers.all.empty()) return;
+    if (!answers.all.front().row) {
+        table.names.emplace_back(length_of_answer);
+        return;
+    }
     for (std::size_t i = 0; i < answers.components; ++i) {
         const std::string column = i < answers.columns.size() ? answers.columns[i] : "";
         table.words.resize(table.names.size());

@@ -13,6 +13,7 @@ namespace umbral::grader {
 
 /// What the right answer's numbers, and whether there is one, are called among those of a question.
 inline constexpr const char* right_answer = "the right answer";
+inline constexpr const char* length_of_answer = "the right answer's length";  ///< of a list: its rows
 inline constexpr const char* has_answer = "there being a right answer";
 /// Of a question with several answers, where an answer stands among them.
 inline constexpr const char* place_in_call = "a row of a call";

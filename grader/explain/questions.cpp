@@ -125,7 +125,7 @@ public:
         AskedCheck asked{exercise_, check, runs_, one_, log_, headers};
         asked.others = [&](const auto& look) { look_elsewhere(check, headers, look); };
         if (auto group = first_wrong_group(worker_, asked, one_.seed)) {
-            if (group->first && group->first->cell) wrong = {group->question, *group->first->cell};
+            wrong = {group->question, group->first ? group->first->cell.value_or(0) : 0};
             if (!group->words.empty() && judge_of(check).free_rows) say_first(*group, result);
             const bool is_better = group->first || (result.first_difference && !result.first_difference->cell);
             if (group->first) result.first_difference = std::move(group->first);

@@ -179,7 +179,9 @@ std::optional<std::string> rearranged(const WrongVectors& vectors)
 {
     if (vectors.names.size() != vectors.components) return std::nullopt;
     std::vector<std::string> names;
+    std::vector<std::string> moved;
     bool in_place = true;
+    bool any_opposite = false;
     for (std::size_t to = 0; to < vectors.components; ++to) {
         const auto holds = [&](std::size_t from, double sign) {
             for (std::size_t i = 0; i < vectors.yours.size(); ++i)
@@ -198,9 +200,13 @@ std::optional<std::string> rearranged(const WrongVectors& vectors)
         if (from == order.end()) return std::nullopt;
         const bool plus = holds(*from, 1);
         in_place = in_place && *from == to && plus;
+        any_opposite = any_opposite || !plus;
+        if (*from != to) moved.push_back(vectors.names.at(*from));
         names.push_back((plus ? "" : "-") + vectors.names.at(*from));
     }
     if (in_place) return std::nullopt;
+    if (moved.size() == 2 && !any_opposite)
+        return fmt::format("is the right one with {} and {} exchanged", moved.back(), moved.front());
     return fmt::format("is ({}) of the right one", fmt::join(names, ", "));
 }
 

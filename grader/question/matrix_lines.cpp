@@ -78,7 +78,7 @@ std::optional<std::pair<std::string, bool>> words_of(const Lines& lines)
     for (const Alike& one : found) parts.push_back(name_of(lines, one.lines) + " " + one.words);
     const std::string_view beginning = told == lines.side ? "is wrong in all {}s: {}"
                                        : of_all           ? "is right but for some {}s: {}"
-                                                          : "is wrong in several {}s, of which {}";
+                                                          : "has several wrong {}s: {}";
     return std::pair(fmt::format(fmt::runtime(beginning), lines.name, fmt::join(parts, ", ")), of_all);
 }
 

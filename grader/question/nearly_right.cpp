@@ -11,6 +11,8 @@ namespace {
 
 constexpr double little = 0.01;
 constexpr double in_rounding = 1e-5;
+constexpr double most_of_float = 1e-6;  ///< what a few steps in float lose
+constexpr double least_of_float = 3e-9;
 
 bool is_whole(double x) { return x == std::round(x); }
 
@@ -57,7 +59,11 @@ std::size_t nearly_right_in(const AnswerTable& table, const std::vector<const An
 const char* nearly_right(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
 {
     if (wrong.empty() || nearly_right_in(table, wrong) != wrong.size()) return nullptr;
-    return nearly_right_in(table, wrong, in_rounding) == wrong.size() ? right_but_for_rounding : roughly_right;
+    if (nearly_right_in(table, wrong, in_rounding) != wrong.size()) return roughly_right;
+    // Some of many numbers are near a float by chance.
+    const bool lose_no_more = nearly_right_in(table, wrong, most_of_float) == wrong.size();
+    const bool lose_as_much = 2 * nearly_right_in(table, wrong, least_of_float) <= wrong.size();
+    return lose_no_more && lose_as_much ? right_to_float : right_but_for_rounding;
 }
 
 bool are_mostly_nearly_right(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)

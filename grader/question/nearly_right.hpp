@@ -11,6 +11,11 @@ inline constexpr const char* right_but_for_rounding =
     "is nearly right, to five digits or more: perhaps a number is rounded on the way (float, a constant of few "
     "digits), nearly equal ones are subtracted, or a little is added";
 
+/// The same where about as much is lost as a float loses, and no more.
+inline constexpr const char* right_to_float =
+    "is right to six or seven digits, as many as a float holds: perhaps something is computed or kept in float that "
+    "needs double";
+
 /// The same of answers of which fewer are right: rounding once to float does not do that.
 inline constexpr const char* roughly_right =
     "is nearly right, and off by more than rounding to float makes: perhaps something is approximated or ends early (a "
@@ -23,7 +28,7 @@ inline constexpr const char* mostly_nearly_right =
 
 /// Are all these wrong answers the right ones but for little: a hundredth of the largest number of the vector, or of
 /// the matrix's column, and of each number itself in rows that hold different things? Of codes and counts, which are
-/// whole, none is nearly right. Answers must have as many numbers as the right ones, all finite. Then one of the two
+/// whole, none is nearly right. Answers must have as many numbers as the right ones, all finite. Then one of the
 /// texts above; else null.
 [[nodiscard]] const char* nearly_right(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong);
 

@@ -106,13 +106,44 @@ std::optional<std::string> upside_down(std::span<const double> yours, std::span<
     return fmt::format("{} divided by the right one", constant_text(product, false));
 }
 
+/// The different numbers that are not whole.
+std::set<double> fractions_in(std::span<const double> numbers)
+{
+    std::set<double> fractions;
+    for (const double one : numbers)
+        if (std::abs(one - std::round(one)) > rounding * std::max(1.0, std::abs(one))) fractions.insert(one);
+    return fractions;
+}
+
+std::vector<double> times(double factor, std::span<const double> numbers)
+{
+    std::vector<double> all;
+    for (const double one : numbers) all.push_back(factor * one);
+    return all;
+}
+
+/// What rounding to decimals, or to what a byte holds, leaves: numbers that are multiples of what the right ones are
+/// none of.
+std::optional<std::string> multiples_of_a_step(std::span<const double> yours, std::span<const double> right)
+{
+    constexpr std::size_t least_different = 6;
+    for (const double parts : {1.0, 10.0, 100.0, 1e3, 1e4, 255.0, 256.0}) {
+        const std::vector<double> scaled = times(parts, yours);
+        const std::vector<double> other = times(parts, right);
+        if (different(yours) < least_different || !fractions_in(scaled).empty()) continue;
+        if (10 * fractions_in(other).size() < 9 * different(right)) return std::nullopt;
+        if (parts == 1) return "a whole number, as the right one is not";
+        return fmt::format("a multiple of {}, as the right one is not",
+                           parts == 255 || parts == 256 ? fmt::format("1/{}", parts) : number_text(1 / parts));
+    }
+    return std::nullopt;
+}
+
 /// What division of integers leaves, or a conversion to one.
 std::optional<std::string> made_whole(std::span<const double> yours, std::span<const double> right)
 {
     constexpr std::size_t least_different = 4;
-    std::set<double> fractions;
-    for (const double one : right)
-        if (std::abs(one - std::round(one)) > rounding * std::max(1.0, std::abs(one))) fractions.insert(one);
+    const std::set<double> fractions = fractions_in(right);
     // One number for all of them is no rounding.
     if (fractions.size() < least_different || different(yours) < 2) return std::nullopt;
     const auto all = [&](double (*whole)(double)) {
@@ -180,6 +211,7 @@ std::optional<AnswerPattern> change_of_numbers(std::span<const double> yours, st
     auto words = wrapped_numbers(yours, right);
     if (!words) words = made_whole(yours, right);
     if (!words) words = upside_down(yours, right);
+    if (!words) words = multiples_of_a_step(yours, right);
     return words ? std::optional(AnswerPattern{*std::move(words)}) : std::nullopt;
 }
 

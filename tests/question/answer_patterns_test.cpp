@@ -203,6 +203,10 @@ TEST(AnswerPatterns, say_what_wrong_vectors_are)
                   return Row{right[1], -right[0], right[2]};
               }),
               "is (y, -x, z) of the right one");
+    EXPECT_EQ(vector([](double, const Row&, const Row& right) {
+                  return Row{right[0], right[2], right[1]};
+              }),
+              "is the right one with y and z exchanged");
 }
 
 TEST(AnswerPatterns, say_which_columns_of_a_matrix_are_wrong)

@@ -225,6 +225,24 @@ TEST(AnswerRelations, find_a_column_in_another_one_s_place)
     EXPECT_EQ(copied(-1), "is right but for some columns: column 1 is the right column 0 with the opposite sign");
 }
 
+// Sums of rounded terms are not the rounded sum.
+TEST(AnswerRelations, find_that_all_are_multiples_of_what_right_ones_are_not)
+{
+    const auto said_of = [](double step) {
+        std::vector<double> yours;
+        std::vector<double> right;
+        for (int i = 1; i < 30; ++i) {
+            right.push_back(0.73912 * i + 0.01 * i * i);
+            yours.push_back(step * (std::floor(right.back() / step) + i % 3));
+        }
+        const auto found = change_of_numbers(yours, right);
+        return found ? found->words : "";
+    };
+    EXPECT_EQ(said_of(0.01), "a multiple of 0.01, as the right one is not");
+    EXPECT_EQ(said_of(1.0 / 255), "a multiple of 1/255, as the right one is not");
+    EXPECT_EQ(said_of(0.0123), "");
+}
+
 TEST(AnswerRelations, find_rows_with_the_opposite_sign)
 {
     EXPECT_EQ(first_pattern(answers(9,
@@ -246,7 +264,7 @@ TEST(AnswerRelations, tell_of_most_columns_what_cannot_be_told_of_all)
                                         wrong[4] = std::cos(99 * wrong[4]) + 4;
                                         return wrong;
                                     })),
-              "is wrong in several columns, of which each of columns 0 and 2 is the right one with the opposite sign");
+              "has several wrong columns: each of columns 0 and 2 is the right one with the opposite sign");
 }
 
 // Light that a surface gives off itself, say: beside bright light, floats keep few digits of it.
