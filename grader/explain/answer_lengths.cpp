@@ -1,5 +1,7 @@
 #include "explain/answer_lengths.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <set>
@@ -48,6 +50,12 @@ std::string list_in_words(const std::string& place, const std::vector<std::strin
     return "its list " + (is_argument ? in_words(place, parameters) : place);
 }
 
+/// Does the function return a text? How long it is, is nobody's mistake.
+bool returns_text(const std::string& headers, const std::string& function)
+{
+    return headers.find(fmt::format("std::string {}(", reflect::last_name(function))) != std::string::npos;
+}
+
 /// What both sides tell of a check's questions.
 struct BothSides {
     const QuestionLog& log;
@@ -82,6 +90,7 @@ std::string sentences(const BothSides& sides, const std::string& headers)
         const auto yours = std::ranges::find(sides.told.sized, right.function, &QuestionKind::function);
         if (yours == sides.told.sized.end() || yours->features != right.features) continue;
         for (std::size_t list = 0; list < right.features.size() && count < most_told; ++list) {
+            if (right.features[list].empty() && returns_text(headers, right.function)) continue;
             const std::string sentence = sentence_of_sizes(lengths_of(sides, right, *yours, list));
             if (sentence.empty()) continue;
             ++count;

@@ -64,6 +64,14 @@ double signed_area(const std::vector<double>& row, const VectorColumns& a, const
     return across(b, 0) * across(c, 1) - across(b, 1) * across(c, 0);
 }
 
+/// Is it a place as four numbers, of which products say nothing, and no quaternion?
+bool is_homogeneous(const QuestionTable& table, const VectorColumns& a)
+{
+    constexpr double nearly = 1e-3;
+    return a.size == 4 &&
+           !std::ranges::all_of(table.numbers, [&](const auto& row) { return std::abs(dot(row, a, a) - 1) <= nearly; });
+}
+
 /// The least or the largest coordinate of a vector; NaN if one is no number.
 template <class Best>
 double extreme(const std::vector<double>& row, const VectorColumns& a, const Best& best)
@@ -221,7 +229,7 @@ std::vector<Fact> facts_of(const QuestionTable& table)
             if (of_a == Quantity::unknown && of_b == Quantity::unknown)
                 facts.push_back(fact(fmt::format("the distance between {} and {}", a.words, b.words),
                                      Fact::Kind::length, table, [&](const auto& row) { return distance(row, a, b); }));
-            if (a.size != b.size) continue;
+            if (a.size != b.size || is_homogeneous(table, a)) continue;
             facts.push_back(fact(fmt::format("dot({}, {})", a.words, b.words), Fact::Kind::product, table,
                                  [&](const auto& row) { return dot(row, a, b); }));
             facts.push_back(fact(fmt::format("{} and {}", a.words, b.words), Fact::Kind::parallel, table,

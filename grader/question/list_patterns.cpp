@@ -201,7 +201,8 @@ std::vector<std::string> list_patterns(const AnswerTable& table, const std::vect
 
 std::vector<std::string> kind_patterns(const AnswerTable& table, const std::vector<const AnswerPair*>& wrong)
 {
-    if (table.kinds.empty() || table.components == 0) return {};
+    // Where all can only be of one kind, that one is missing is seen from their number.
+    if (table.kinds.size() < 2 || table.components == 0) return {};
     if (kinds_name_questions(table)) return {};
     std::optional<double> lacking;
     std::optional<double> too_often;

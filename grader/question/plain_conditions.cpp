@@ -154,8 +154,10 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
     all.push_back(
         of_one(words + " is not 1", i, cost + 1, [](double x) { return !(std::abs(x - 1) < unit_rounding); }));
     if (!std::ranges::all_of(fact.values, is_whole_number)) {
-        // A length is one by chance.
-        if (fact.kind == Fact::Kind::length) return;
+        // A length is one by chance, and a large float always.
+        constexpr double whole_floats = 1U << 23U;
+        const auto is_large = [](double x) { return std::isfinite(x) && std::abs(x) >= whole_floats; };
+        if (fact.kind == Fact::Kind::length || std::ranges::any_of(fact.values, is_large)) return;
         const auto add = [&](const char* is, bool (*test)(double)) {
             all.push_back(of_one(words + is, i, cost + 5, test));
             // Very large floats are whole numbers: where one coordinate is, its size is the reason.

@@ -162,6 +162,8 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
     const Fact& a = facts[i];
     const Fact& b = facts[j];
     if (!comparable(a) || !comparable(b) || a.value_names != b.value_names) return;
+    // How far apart places are has nothing to do with how many there are.
+    if (a.kind == Fact::Kind::length && b.words.ends_with(".size()")) return;
     for (const Quantity one : {Quantity::angle, Quantity::light})
         if ((a.quantity == one) != (b.quantity == one)) return;
     // That a list has elements twice is a reason only if how long it is is none.

@@ -47,8 +47,6 @@ void rerun_borderline(Worker& worker, const Exercise& exercise, const Built& bui
                                                           judged(worker, exercise, check, fresh->second));
         take_judgement(check, both, worker.basis(exercise, check, one.seed).control, before);
         before.seeds.push_back(fresh->second.seed);
-        before.message += fmt::format("{}Borderline at first, so it was run again with seed {}.",
-                                      before.message.empty() ? "" : ". ", fresh->second.seed);
     }
 }
 

@@ -35,8 +35,11 @@ TEST(SillySentences, that_events_are_missing_is_said_with_the_one_that_is)
     made.answers[2].expected = {4, 5};
     EXPECT_EQ(first_pattern(made), "");
     made = wrong_ones(2, zooms, nothing);
-    made.kinds = {{3, {"zoom"}}};
+    EXPECT_EQ(first_pattern(made), "should be empty");
+    made.kinds = {{3, {"zoom"}}, {4, {"orbit"}}};
     EXPECT_EQ(first_pattern(made), "has \"zoom\" too often");
+    made.kinds = {{3, {"zoom"}}};
+    EXPECT_EQ(first_pattern(made), "") << "what else could it be?";
 }
 
 // Rows of a mesh, called as the mesh is.

@@ -86,7 +86,7 @@ void print_no_place(const std::string& debug, const RepairSearch& search, std::s
             "None of the {} small changes of one place that are tried makes a wrong check right: it takes another one, "
             "or more than one.\n",
             tried);
-    fmt::print("`{}` stops where it first goes wrong.\n", debug);
+    fmt::print("`{}` runs a case of it under gdb.\n", debug);
 }
 
 void print_search(const Paint& paint, const std::string& debug, const BuiltWork& work, const RepairSearch& search,
@@ -115,7 +115,7 @@ BuiltMutants changed_ways(const Toolchain& tools, const Exercise& exercise, cons
     } catch (const NotMutable& error) {
         throw UsageError(
             fmt::format("no changes of your file can be tried, which is too long or nested too deep for that: "
-                        "{}\n`{}` stops where it first goes wrong",
+                        "{}\n`{}` runs a case of it under gdb",
                         error.what(), debug));
     }
 }

@@ -158,13 +158,12 @@ Judgement judge_both(const Judgement& first, const Judgement& second)
     Judgement result = before < after ? first : second;
     result.error = (first.error.value_or(0) + second.error.value_or(0)) / 2;
     result.right = right ? 1 : credit_for(*result.error);
-    const std::string runs = fmt::format("chance {:.2g} in the first run, {:.2g} with a fresh seed, {:.2g} together",
-                                         before, after, probability);
     if (right)
         result.message.clear();
     else if (result.message.empty())
         result.message = "The estimates lie off by more than noise explains in two runs";
-    if (!right) result.message += " (" + runs + ")";
+    if (!right)
+        result.message += fmt::format(" (in two runs, which noise does with a probability of {:.2g})", probability);
     if (right) result.first_difference.reset();
     result.chance = probability;
     result.borderline = false;
