@@ -45,6 +45,8 @@ void refuse_weak_sandbox(const Fingerprint& machine, bool allowed)
         "newer with both, or add --allow-weak-sandbox if you trust every submission");
 }
 
+constexpr std::size_t most_roster_bytes = std::size_t{16} << 20U;
+
 /// The folders of the class. What is wrong with them, or with the roster, is a UsageError.
 std::vector<SubmissionFolder> folders_of(const GradeCommand& command)
 {
@@ -167,6 +169,11 @@ void grade_and_print(Application& application, const GradeCommand& command)
     expect_folder(command.submissions, "a folder with one folder a submission");
     try {
         expect_distinct(command.submissions, command.out);
+        if (!command.roster.empty()) (void)read_given("--roster", command.roster, most_roster_bytes);
+        if (!command.secret_file.empty()) {
+            expect_outside("the submissions", command.submissions, "--secret-file", command.secret_file);
+            expect_outside("the reports", command.out, "--secret-file", command.secret_file);
+        }
         std::vector<Exercise> exercises = application.chosen(command.units);
         std::vector<LeftOut> left_out;
         if (command.handed_in || !are_built(application, exercises)) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -26,14 +27,34 @@ namespace fs = std::filesystem;
 /// Options, as of the compiler, in the order of MutantFamily.
 constexpr std::array<const char*, 4> families{"", "--slips", "--repairs", "--idle"};
 
-/// A program to run in `work` on the source there, with what a compiler of it reads.
-ConfinedCommand command_in(const fs::path& work, const Toolchain& tools)
+class Deadline {
+public:
+    explicit Deadline(double seconds) : seconds_(seconds) {}
+
+    [[nodiscard]] double left() const
+    {
+        return seconds_ - std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+    }
+
+private:
+    double seconds_;
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
+/// Where programs work, and until when.
+struct Work {
+    const fs::path& folder;
+    const Deadline& deadline;
+};
+
+/// A program to run in a folder on the source there, with what a compiler of it reads.
+ConfinedCommand command_in(const Work& work, const Toolchain& tools)
 {
     ConfinedCommand command;
     command.confine = tools.programs / "umbral-confine";
-    command.directory = work;
+    command.directory = work.folder;
     command.cpu_seconds = 4 * tools.compile_seconds;
-    command.wall_seconds = 16 * tools.compile_seconds;
+    command.wall_seconds = std::clamp(work.deadline.left(), 0.0, 16 * tools.compile_seconds);
     command.output_limit = std::size_t{16} << 20U;
     command.read = compiler_files(tools.compiler);
     command.read.push_back(tools.framework.string());
@@ -41,13 +62,13 @@ ConfinedCommand command_in(const fs::path& work, const Toolchain& tools)
 }
 
 std::vector<Mutant> find(const fs::path& finder, MutantFamily family, const std::string& source, const Toolchain& tools,
-                         const Exercise& exercise, const fs::path& work)
+                         const Exercise& exercise, const Work& work)
 {
     // libclang would take the compiler's precompiled form of the header for its own.
     Toolchain own = tools;
-    own.student_header = work / tools.student_header.filename();
+    own.student_header = work.folder / tools.student_header.filename();
     write_text(own.student_header, read_text(tools.student_header));
-    write_text(work / "source.cpp", source);
+    write_text(work.folder / "source.cpp", source);
     ConfinedCommand command = command_in(work, tools);
     command.read.push_back(finder.string());
     // libclang's own headers, and where it looks for those of the C++ library.
@@ -75,7 +96,7 @@ std::vector<Mutant> find(const fs::path& finder, MutantFamily family, const std:
     return mutants;
 }
 
-ConfinedResult compile_once(const Toolchain& tools, const Exercise& exercise, const fs::path& work,
+ConfinedResult compile_once(const Toolchain& tools, const Exercise& exercise, const Work& work,
                             const std::vector<std::string>& more)
 {
     ConfinedCommand command = command_in(work, tools);
@@ -94,11 +115,11 @@ ConfinedResult compile_once(const Toolchain& tools, const Exercise& exercise, co
     return run_confined(command);
 }
 
-ConfinedResult compile(const Toolchain& tools, const Exercise& exercise, const std::string& text, const fs::path& work)
+ConfinedResult compile(const Toolchain& tools, const Exercise& exercise, const std::string& text, const Work& work)
 {
-    write_text(work / "mutants.cpp", text);
+    write_text(work.folder / "mutants.cpp", text);
     return compiled_as_written(
-        tools, work,
+        tools, work.folder,
         [&](const Toolchain& with, const std::vector<std::string>& more) {
             return compile_once(with, exercise, work, more);
         },
@@ -139,15 +160,19 @@ std::set<unsigned> blamed(const std::string& output, const std::string& source, 
 }
 
 BuiltMutants build_mutants(const Toolchain& tools, const Exercise& exercise, MutantFamily family,
-                           const fs::path& finder, const std::string& source, const fs::path& work)
+                           const fs::path& finder, const std::string& source, const fs::path& work, double seconds)
 {
     constexpr int most_attempts = 60;
+    const Deadline deadline(seconds);
     BuiltMutants built;
-    built.mutants = find(finder, family, source, tools, exercise, work);
+    built.mutants = find(finder, family, source, tools, exercise, {work, deadline});
     const std::size_t found = built.mutants.size();
     for (int attempt = 0;; ++attempt) {
-        const ConfinedResult result = compile(tools, exercise, with_mutants(source, built.mutants), work);
+        const ConfinedResult result = compile(tools, exercise, with_mutants(source, built.mutants), {work, deadline});
         if (result.exit_status == 0) break;
+        if (deadline.left() <= 0)
+            throw NotMutable(fmt::format("{}: compiling its {} changes takes longer than {:.0f} seconds", exercise.id,
+                                         built.mutants.size(), seconds));
         const std::set<unsigned> wrong = blamed(result.output, source, built.mutants);
         const std::size_t left_out =
             std::erase_if(built.mutants, [&](const Mutant& mutant) { return wrong.contains(mutant.number); });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,10 +25,11 @@ struct NotMutable : std::runtime_error {
 };
 
 /// Finds the mutants of this family of `source`, a unit's only C++ file, by the program `finder` (umbral-mutate) and
-/// compiles it with all that compile into the folder `work`. Both run confined, so that the source may be anybody's.
-/// Throws NotMutable with the compiler's words if it cannot be done.
+/// compiles it with all that compile into the folder `work`, in at most so many seconds. Both run confined, so that the
+/// source may be anybody's. Throws NotMutable with the compiler's words if it cannot be done.
 [[nodiscard]] BuiltMutants build_mutants(const Toolchain& tools, const Exercise& exercise, MutantFamily family,
                                          const std::filesystem::path& finder, const std::string& source,
-                                         const std::filesystem::path& work);
+                                         const std::filesystem::path& work,
+                                         double seconds = std::numeric_limits<double>::infinity());
 
 }

@@ -87,6 +87,7 @@ Descriptor install_filter()
 {
     try {
         prctl(PR_SET_PDEATHSIG, SIGKILL);
+        std::signal(SIGTERM, SIG_DFL);
         if (chdir(command.directory.c_str()) != 0) throw std::runtime_error("cannot enter " + command.directory);
         sandbox::limit_resources(command.limits);
         sandbox::enter_namespaces(false);
@@ -106,6 +107,14 @@ Descriptor install_filter()
     }
 }
 
+/// A compiler has children, which nobody else would end with the grader. Only where the group is this program's own.
+void end_with_parent()
+{
+    if (getpgrp() != getpid()) return;
+    std::signal(SIGTERM, [](int) { kill(0, SIGKILL); });
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+}
+
 /// Ends as the program did.
 int end_like(int status)
 {
@@ -117,6 +126,7 @@ int end_like(int status)
 
 int run(const Command& command)
 {
+    end_with_parent();
     auto [ours, theirs] = socket_pair();
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error(std::string("cannot start a process: ") + std::strerror(errno));

@@ -29,6 +29,13 @@ fs::path real(const fs::path& path)
 
 }
 
+void expect_outside(std::string_view what, const fs::path& folder, std::string_view option, const fs::path& file)
+{
+    if (holds(real(folder), real(file)))
+        throw RefusedFolder(fmt::format("{} {} lies in the folder of {}, which goes to students: keep it elsewhere",
+                                        option, file.string(), what));
+}
+
 void expect_distinct(const fs::path& submissions, const fs::path& out)
 {
     const fs::path theirs = real(submissions);

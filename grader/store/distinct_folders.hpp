@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 namespace umbral::grader {
 
@@ -8,5 +9,10 @@ namespace umbral::grader {
 /// if the two are the same folder, or if one lies in the other, through whatever links and mounts they are named.
 /// `submissions` must exist.
 void expect_distinct(const std::filesystem::path& submissions, const std::filesystem::path& out);
+
+/// Makes sure that a file which an option names lies nowhere below `folder`, where `what` lie: throws RefusedFolder if
+/// it does.
+void expect_outside(std::string_view what, const std::filesystem::path& folder, std::string_view option,
+                    const std::filesystem::path& file);
 
 }

@@ -104,6 +104,11 @@ ReportsFolder::ReportsFolder(const fs::path& out, const Grading& grading) : grad
                         "name a new or an empty folder (if these are "
                         "reports of a version that set no marks yet, delete it first)",
                         path_.string()));
+    if (const std::optional<Mark> mark = read_mark(path_); mark && !mark->submission.empty())
+        throw RefusedFolder(
+            fmt::format("--out {}: these are the reports of {}, for a student's eyes, and everybody's would lie among "
+                        "them; name another folder",
+                        path_.string(), mark->submission));
     lock_ = locked_mark(grading, false);
     if (const std::optional<Mark> mark = read_mark(path_)) grading_ = mark->grading;
     remove_temporaries(path_, mark_name);

@@ -183,6 +183,10 @@ TEST(Grade, bad_input_is_a_usage_error_that_says_what_to_do)
     const Printed empty = grade((folder / "empty").string(), folder);
     EXPECT_EQ(empty.status, 2);
     EXPECT_NE(empty.text.find("no submission"), std::string::npos) << empty.text;
+    const std::string one = "grade " + (folder / "class").string() + " --out " + (folder / "out2").string();
+    EXPECT_EQ(umbral(one + " --roster /dev/zero").status, 2) << "of no end";
+    EXPECT_EQ(umbral(one + " --secret-file " + (folder / "class/secret").string()).status, 2);
+    EXPECT_FALSE(std::filesystem::exists(folder / "class/secret"));
     folder.write("short", "abc");
     std::filesystem::create_directories(folder / "one/a");
     EXPECT_EQ(umbral("grade " + (folder / "one").string() + " --out " + (folder / "out").string() + " --secret-file " +

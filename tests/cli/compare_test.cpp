@@ -51,6 +51,14 @@ protected:
     TemporaryFolder folder_;
 };
 
+TEST_F(Compare, pictures_of_which_it_would_take_minutes_are_refused)
+{
+    save("large.png", Image(4097, 4097));
+    const Printed printed = compare("large.png", "large.png");
+    EXPECT_EQ(printed.status, 2);
+    EXPECT_NE(printed.text.find("compare a part"), std::string::npos) << printed.text;
+}
+
 TEST_F(Compare, equal_pictures_agree)
 {
     save("a.png", disc(0));

@@ -53,6 +53,18 @@ TEST(DistinctFolders, reports_never_lie_among_the_submissions)
         EXPECT_EQ(refusal("class", out), "nothing was thrown") << out;
 }
 
+TEST(DistinctFolders, no_secret_lies_where_students_read)
+{
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "class/ana");
+    fs::create_directory_symlink(folder / "class/ana", folder / "link");
+    for (const char* file : {"class/secret", "class/ana/secret", "link/secret"})
+        EXPECT_THROW(expect_outside("the submissions", folder / "class", "--secret-file", folder / file), RefusedFolder)
+            << file;
+    for (const char* file : {"secret", "classes/secret", "class/../secret"})
+        EXPECT_NO_THROW(expect_outside("the submissions", folder / "class", "--secret-file", folder / file)) << file;
+}
+
 TEST(ReportsFolder, is_made_for_this_user_only_marked_and_locked)
 {
     const TemporaryFolder folder;
@@ -130,6 +142,15 @@ TEST(ReportsFolder, lists_marked_folders_only)
     fs::copy(folder / "out/ana", folder / "out/copied", fs::copy_options::recursive);
     fs::create_directory_symlink(folder / "out/ana", folder / "out/linked");
     EXPECT_EQ(out.submissions(), (std::vector<std::string>{"ana", "bo"}));
+}
+
+// What lies there goes to one student.
+TEST(ReportsFolder, is_no_submission_s)
+{
+    const TemporaryFolder folder;
+    Mark mark = open_report_folder(folder / "ana", "ana");
+    set_mark(folder / "ana", mark);
+    EXPECT_THROW(ReportsFolder(folder / "ana", grading), RefusedFolder);
 }
 
 TEST(ReportFolder, is_for_one_submission_of_ours)

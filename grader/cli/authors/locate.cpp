@@ -108,10 +108,12 @@ void print_search(const Paint& paint, const std::string& debug, const BuiltWork&
 
 /// The student's file with every change that is tried.
 BuiltMutants changed_ways(const Toolchain& tools, const Exercise& exercise, const std::filesystem::path& finder,
-                          const BuiltWork& work, const std::string& debug, const std::filesystem::path& folder)
+                          const BuiltWork& work, const std::string& debug, const std::filesystem::path& folder,
+                          double seconds)
 {
     try {
-        return build_mutants(tools, exercise, MutantFamily::repairs, finder, work.files.begin()->second, folder);
+        return build_mutants(tools, exercise, MutantFamily::repairs, finder, work.files.begin()->second, folder,
+                             seconds);
     } catch (const NotMutable& error) {
         throw UsageError(
             fmt::format("no changes of your file can be tried, which is too long or nested too deep for that: "
@@ -136,7 +138,8 @@ void locate(Application& application, LocateOptions options)
     const std::filesystem::path finder = have_finder(application, "locate finds changes");
     const auto began = std::chrono::steady_clock::now();
     const ScratchFolder scratch(application.tools.cache);
-    const BuiltMutants built = changed_ways(application.tools, exercise, finder, work, debug, scratch.path());
+    const BuiltMutants built = changed_ways(application.tools, exercise, finder, work, debug, scratch.path(),
+                                            static_cast<double>(options.seconds));
     Crew crew(application.tools, options.jobs);
     const auto passed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(); };
     const RepairSearch search =
