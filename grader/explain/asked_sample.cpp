@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 
+#include "explain/row_labels.hpp"
 #include "judge/rows/columns.hpp"
 #include "question/history.hpp"
 #include "question/names.hpp"
@@ -51,27 +52,6 @@ std::vector<std::string> meanings_of(const std::string& column)
          word = column_word(column, static_cast<double>(words.size())).word)
         words.push_back(std::move(word));
     return words;
-}
-
-/// Of tables of many rows to a question: is this number of each row right whatever else is wrong, and several whole
-/// ones? Then it says which row it is.
-bool is_label(const AskedAnswers& answers, std::size_t component)
-{
-    constexpr std::size_t least_labels = 3;
-    constexpr std::size_t least_rows = 3;
-    if (component >= answers.columns.size() || answers.components < 2) return false;
-    std::set<double> labels;
-    std::set<std::uint32_t> questions;
-    for (const AskedAnswer& one : answers.all) {
-        questions.insert(one.question);
-        const std::vector<double>& yours = one.answer.yours;
-        const std::vector<double>& expected = one.answer.expected;
-        if (expected.size() <= component || yours.size() <= component) return false;
-        if (yours[component] != expected[component] || expected[component] != std::round(expected[component]))
-            return false;
-        labels.insert(expected[component]);
-    }
-    return labels.size() >= least_labels && answers.all.size() >= least_rows * questions.size();
 }
 
 /// Adds what is known of right answers by name, as add_answer() adds the numbers.

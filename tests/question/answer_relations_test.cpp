@@ -225,48 +225,6 @@ TEST(AnswerRelations, find_a_column_in_another_one_s_place)
     EXPECT_EQ(copied(-1), "is right but for some columns: column 1 is the right column 0 with the opposite sign");
 }
 
-// Sums of rounded terms are not the rounded sum.
-TEST(AnswerRelations, find_that_all_are_multiples_of_what_right_ones_are_not)
-{
-    const auto said_of = [](double step) {
-        std::vector<double> yours;
-        std::vector<double> right;
-        for (int i = 1; i < 30; ++i) {
-            right.push_back(0.73912 * i + 0.01 * i * i);
-            yours.push_back(step * (std::floor(right.back() / step) + i % 3));
-        }
-        const auto found = change_of_numbers(yours, right);
-        return found ? found->words : "";
-    };
-    EXPECT_EQ(said_of(0.01), "a multiple of 0.01, as the right one is not");
-    EXPECT_EQ(said_of(1.0 / 255), "a multiple of 1/255, as the right one is not");
-    EXPECT_EQ(said_of(0.0123), "");
-}
-
-TEST(AnswerRelations, find_rows_with_the_opposite_sign)
-{
-    EXPECT_EQ(first_pattern(answers(9,
-                                    [](const Asked& one) {
-                                        Row wrong = one.right;
-                                        for (const std::size_t i : {1, 4, 7}) wrong[i] = -wrong[i];
-                                        return wrong;
-                                    })),
-              "is right but for some rows: row 1 is the right one with the opposite sign");
-}
-
-TEST(AnswerRelations, tell_of_most_columns_what_cannot_be_told_of_all)
-{
-    EXPECT_EQ(first_pattern(answers(9,
-                                    [](const Asked& one) {
-                                        Row wrong = one.right;
-                                        for (const std::size_t i : {0, 1, 2, 6, 7, 8}) wrong[i] = -wrong[i];
-                                        wrong[3] = std::sin(99 * wrong[3]) + 4;
-                                        wrong[4] = std::cos(99 * wrong[4]) + 4;
-                                        return wrong;
-                                    })),
-              "has several wrong columns: each of columns 0 and 2 is the right one with the opposite sign");
-}
-
 // Light that a surface gives off itself, say: beside bright light, floats keep few digits of it.
 TEST(AnswerRelations, find_the_vector_that_is_lacking_or_too_much)
 {
