@@ -214,6 +214,8 @@ inline Generator random_generator(Random& random, Generation generation)
 {
     Generator generator{generation, random_plane(random), {}};
     generator.t_plane = random_plane(random);
+    // As plane_along() gives of an axis of no length.
+    if (random.below(6) == 0) (random.below(2) == 0 ? generator.s_plane : generator.t_plane) = glm::vec4(0);
     return generator;
 }
 

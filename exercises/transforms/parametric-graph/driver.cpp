@@ -64,7 +64,7 @@ void add(Recorder& out, GraphNode& node, const std::shared_ptr<const Drawable>& 
 }
 
 // Order, scope, sharing, an empty node, a transformation that nothing follows; a node that grows after it was shared;
-// matrices that are not affine; and forty nodes deep.
+// matrices that are not affine, and one of zeros; and forty nodes deep.
 void record_node(Variation& vary, Recorder& out)
 {
     record_names(out);
@@ -100,6 +100,8 @@ void record_node(Variation& vary, Recorder& out)
         add(out, *seen, projective(q(1), q(2), q(static_cast<float>(number))));
         add(out, *seen, numbered(number));
     }
+    add(out, *seen, glm::mat4(0));
+    add(out, *seen, numbered(8));
     draw(out, *seen, {.modelview = projective(q(3), q(2), q(1)), .depth = 2});
     std::shared_ptr<const Drawable> deep = numbered(5);
     for (int level = 1; level <= 40; ++level) {
