@@ -33,13 +33,16 @@ void record(Recorder& out, const CameraFlight& flight, float seconds)
     record_view(out, flight, seconds);
 }
 
-// The course's flight, and others whose poses can be worked out by hand; times in no order.
+// The course's flight, and others whose poses can be worked out by hand; times in no order. Two flights of different
+// durations are asked at the same times, one right after the other.
 void record_worked(Variation& vary, Recorder& out)
 {
     const CameraFlight quarter = varied(vary, {{0, 1, 5}, {5, 1, 0}, {0, 0, 0}, {0, 1, 0}, 4});
-    for (const float seconds : {2.0F, 0.0F, 4.0F, 1.0F, 3.0F}) record(out, quarter, seconds);
     const CameraFlight rising = varied(vary, {{2, 0, 2}, {2, 10, 2}, {-2, 1, 5}, {-2, 1, -3}, 10});
-    for (const float seconds : {0.0F, 2.5F, 1.0F, 9.0F}) record(out, rising, seconds);
+    for (const float seconds : {2.0F, 0.0F, 4.0F, 1.0F, 3.0F}) {
+        record(out, quarter, seconds);
+        record(out, rising, seconds);
+    }
     const CameraFlight short_one = varied(vary, {{-3, 2, 0}, {1, 4, 8}, {1, 0, 0}, {1, 0, 0}, 0.5F});
     for (const float seconds : {0.125F, 0.375F, 0.25F}) record(out, short_one, seconds);
     const CameraFlight standing = varied(vary, {{1, 2, 3}, {1, 2, 3}, {4, 2, 3}, {1, 2, 7}, 8});
@@ -75,15 +78,18 @@ void record_before_and_after(Recorder& out, Random& random)
     }
 }
 
+// Two flights at a time: of one clock, so that each is asked at the other's times, but not of one duration.
 void record_random(Recorder& out, Random& random)
 {
-    for (int i = 0; i < 150; ++i) {
+    for (int i = 0; i < 110; ++i) {
         CameraFlight flight = random_flight(random);
-        const CameraFlight other = random_flight(random);
+        CameraFlight other = random_flight(random);
         if (i % 3 == 0) flight.duration = any_duration(random);
-        record(out, flight, flight.duration * random.uniform(-0.2F, 1.2F));
-        record(out, other, other.duration * random.uniform());
-        record(out, flight, flight.duration * random.uniform());
+        other.duration = flight.duration * random.uniform(0.4F, 1.25F);
+        for (const float u : {random.uniform(-0.2F, 1.2F), random.uniform()}) {
+            record(out, flight, flight.duration * u);
+            record(out, other, flight.duration * u);
+        }
     }
 }
 

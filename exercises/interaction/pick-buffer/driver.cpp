@@ -153,34 +153,27 @@ void record_nearest(Recorder& out, Random& random)
     }
 }
 
-/// One selection after another in the same buffer.
-void record_sessions(Recorder& out, const std::vector<std::vector<NameCommand>>& sessions, std::size_t capacity)
-{
-    const auto buffer = ask_new<make_selection_buffer>(out, "buffer", capacity);
-    if (!buffer) return;
-    for (const std::vector<NameCommand>& commands : sessions) {
-        for (const NameCommand& command : commands) carry_out(out, *buffer, command);
-        record_end(out, *buffer, std::min<std::size_t>(capacity, 32));
-    }
-}
-
 void record_by_hand(Recorder& out)
 {
     const std::vector<NameCommand> sessions[] = {
         {init(), push(5), note(0, 1)},
-        {push(1), note(0, 0), push(2), note(1, 1), pop(), note(0, 1), pop()},
+        {push(1), note(0, 1), push(2), note(0, 0), pop(), note(1, 1), pop()},
         {note(0, 0), note(1, 1)},
         {init(), push(7), push(8), init(), push(9), note(0, 1), load(10), load(11), note(1, 1), load(12)},
         {push(1), push(2), pop(), pop()},
         {push(3), note(0, 1), load(3), note(0, 0), push(4), pop(), note(1, 1)},
         {pop(), load(5), note(0, 1), pop(), note(0, 0), load(1), push(2)},
         {push(4000000000U), note(0, 1), init(), note(0, 1), init()}};
-    for (const std::vector<NameCommand>& commands : sessions) record_sessions(out, {commands}, 64);
+    for (const std::vector<NameCommand>& commands : sessions) record_sessions(out, {commands}, 16);
 }
 
 void record_random(Recorder& out, Random& random)
 {
-    for (int i = 0; i < 40; ++i) record_sessions(out, {random_commands(random, 16)}, 200);
+    for (int i = 0; i < 10; ++i) {
+        std::vector<std::vector<NameCommand>> sessions(4);
+        for (std::vector<NameCommand>& commands : sessions) commands = random_commands(random, 16);
+        record_sessions(out, sessions, 200);
+    }
 }
 
 // Two buffers by turns, each for several selections; names that were left on the stack are gone with the first.
@@ -202,7 +195,8 @@ void record_again(Recorder& out, Random& random)
     }
 }
 
-// Depths that are no whole number of steps: the nearest one counts.
+// Depths that are no whole number of steps: the nearest one counts. One selection after the other, so that a range that
+// is kept from any of them shows in all that follow.
 void record_depths(Recorder& out, Random& random)
 {
     const auto buffer = ask_new<make_selection_buffer>(out, "buffer", std::size_t{12});
@@ -210,12 +204,15 @@ void record_depths(Recorder& out, Random& random)
     for (int i = 0; i < 40; ++i) {
         const double step = 1 / 4294967295.0;
         const double one = (random.bits() + (i % 2 == 0 ? 0.7 : 0.3)) * step;
-        const double other = (random.bits() + (i % 2 == 0 ? 0.3 : 0.7)) * step;
+        const double any = (random.bits() + (i % 2 == 0 ? 0.3 : 0.7)) * step;
+        const double other = i % 8 == 3 ? one : any;
+        const auto names = static_cast<std::uint32_t>(i % 3);
+        for (std::uint32_t name = 0; name < names; ++name) carry_out(out, *buffer, push(name));
         carry_out(out, *buffer, note(std::min(1.0, std::min(one, other)), std::min(1.0, std::max(one, other))));
         // Further ones between them change nothing, further ones outside do.
         if (i % 4 == 1) carry_out(out, *buffer, note(0.5 * (one + other), 0.5 * (one + other)));
         if (i % 4 == 2) carry_out(out, *buffer, note(0.25 * step, 1));
-        record_end(out, *buffer, 3);
+        record_head(out, *buffer);
     }
 }
 

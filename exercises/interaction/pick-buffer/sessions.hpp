@@ -30,11 +30,12 @@ inline NameCommand note(double min_depth, double max_depth)
 /// The depth that a word stands for, but for a quarter of a step: nearest and next lower whole number are the word.
 inline double depth_of_word(std::uint32_t word) { return std::min(1.0, (word + 0.25) / 4294967295.0); }
 
-/// Depths over the whole range, every second one beyond the half.
+/// Depths over the whole range, every second one beyond the half; each third primitive faces the viewer, at one depth.
 inline NameCommand random_note(Random& random)
 {
     const std::uint32_t one = random.bits();
-    const std::uint32_t other = one / 2 + (random.bits() >> 1U);
+    const std::uint32_t between = one / 2 + (random.bits() >> 1U);
+    const std::uint32_t other = random.below(3) == 0 ? one : between;
     return note(depth_of_word(std::min(one, other)), depth_of_word(std::max(one, other)));
 }
 
@@ -88,9 +89,30 @@ inline void record_words(Recorder& out, const SelectionBuffer& buffer, int count
     for (std::size_t i = 0; i < words; ++i) out.append("words", i < known ? static_cast<double>(written[i]) : -1.0);
 }
 
+/// The same of a record alone: the three words before its names, in one row.
+inline void record_head(Recorder& out, SelectionBuffer& buffer)
+{
+    const int count = record_count(out, buffer);
+    const std::span<const std::uint32_t> written = ask<&SelectionBuffer::words>(out, buffer);
+    const bool is_there = count > 0 && written.size() >= 3;
+    out.columns("words", "number of names, min_depth, max_depth");
+    out.append("words", is_there ? std::optional(glm::dvec3(written[0], written[1], written[2])) : std::nullopt);
+}
+
 inline void record_end(Recorder& out, SelectionBuffer& buffer, std::size_t words)
 {
     record_words(out, buffer, record_count(out, buffer), words);
+}
+
+/// One selection after another in the same buffer.
+inline void record_sessions(Recorder& out, const std::vector<std::vector<NameCommand>>& sessions, std::size_t capacity)
+{
+    const auto buffer = ask_new<make_selection_buffer>(out, "buffer", capacity);
+    if (!buffer) return;
+    for (const std::vector<NameCommand>& commands : sessions) {
+        for (const NameCommand& command : commands) carry_out(out, *buffer, command);
+        record_end(out, *buffer, std::min<std::size_t>(capacity, 32));
+    }
 }
 
 /// A record's words, as OpenGL writes them.

@@ -9,12 +9,17 @@ namespace {
 
 using namespace raytracing;
 
+/// The frame with these fragments, and, if wanted, with an empty list after them, of which nothing may come: neither
+/// from the list before, nor from one that was drawn into another frame.
 template <auto Draw, class Fragments>
-void record_drawn(Recorder& out, GlassFrame frame, const Fragments& fragments)
+void record_drawn(Recorder& out, GlassFrame frame, const Fragments& fragments, bool then_none = false)
 {
     const int width = frame.light.width;
     const int height = frame.light.height;
     ask<Draw>(out, frame, fragments);
+    record_frame(out, frame, width, height);
+    if (!then_none) return;
+    ask<Draw>(out, frame, Fragments());
     record_frame(out, frame, width, height);
 }
 
@@ -39,7 +44,7 @@ void record_opaque(Case& what, Recorder& out)
 {
     for (int i = 0; i < 52; ++i) {
         const GlassTask task = i < 12 ? nan_task(what.random) : random_task(what.random);
-        record_drawn<draw_opaque>(out, task.frame, task.opaque);
+        record_drawn<draw_opaque>(out, task.frame, task.opaque, i % 2 == 1);
     }
 }
 
@@ -49,7 +54,7 @@ void record_filtered(Case& what, Recorder& out)
     record_drawn<filter_glass>(out, sheets.frame, sheets.glass);
     for (int i = 0; i < 52; ++i) {
         const GlassTask task = i < 12 ? nan_task(what.random) : random_task(what.random);
-        record_drawn<filter_glass>(out, task.frame, task.glass);
+        record_drawn<filter_glass>(out, task.frame, task.glass, i % 2 == 1);
     }
 }
 
@@ -57,7 +62,7 @@ void record_blended(Case& what, Recorder& out)
 {
     for (int i = 0; i < 52; ++i) {
         const GlassTask task = i < 12 ? nan_task(what.random) : random_task(what.random);
-        record_drawn<blend_glass>(out, task.frame, task.glass);
+        record_drawn<blend_glass>(out, task.frame, task.glass, i % 2 == 1);
     }
 }
 
@@ -85,7 +90,8 @@ void record_extremes(Case& what, Recorder& out)
         }
 }
 
-// One frame through all functions, some of them twice: nothing stays behind from a call, and none closes the frame.
+// One frame through all functions, some of them twice, also with nothing to draw: nothing stays behind from a call, and
+// none closes the frame.
 void record_in_turn(Case& what, Recorder& out)
 {
     for (int i = 0; i < 12; ++i) {
@@ -94,12 +100,17 @@ void record_in_turn(Case& what, Recorder& out)
         const int width = frame.light.width;
         const int height = frame.light.height;
         const std::vector<GlassFragment> first(task.glass.begin(), task.glass.begin() + task.glass.size() / 2);
+        const std::vector<GlassFragment> none;
+        // Where all were drawn, nothing would be left of what is before and behind.
+        const std::vector<OpaqueFragment> few(task.opaque.begin(), task.opaque.begin() + task.opaque.size() / 4);
         const std::vector<GlassFragment> second(task.glass.begin() + task.glass.size() / 2, task.glass.end());
         ask<blend_glass>(out, frame, first);
         ask<blend_glass>(out, frame, second);
-        ask<draw_opaque>(out, frame, task.opaque);
+        ask<blend_glass>(out, frame, none);
+        ask<draw_opaque>(out, frame, few);
         ask<filter_glass>(out, frame, second);
         ask<blend_glass>(out, frame, first);
+        if (i % 2 == 0) ask<blend_glass>(out, frame, none);
         record_frame(out, frame, width, height);
     }
 }
