@@ -211,7 +211,7 @@ void work(Recorder& out, Random& random)
     out.text("of building.names", "triangles");
     out.text("of asking.names", "triangles");
     constexpr float size = 0x1p-40F;
-    for (const int n : {4, 6, 9, 13, 19}) {
+    for (const int n : {6, 10, 16, 24}) {
         const Soup soup = hilly_ball(n, random);
         const Soup dust = sized(soup, size);
         Hierarchy hierarchy;

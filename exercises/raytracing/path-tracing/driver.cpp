@@ -4,6 +4,7 @@
 #include "../cast.hpp"
 #include "../estimates.hpp"
 #include "../rays.hpp"
+#include "extremes.hpp"
 #include "furnaces.hpp"
 
 namespace umbral {
@@ -12,7 +13,7 @@ namespace {
 using namespace raytracing;
 
 /// Reports call a scene by its name.
-void introduce(Recorder& out, const DiffuseRoom& room, const char* name)
+void introduce(Recorder& out, const DiffuseScene& room, const char* name)
 {
     if (Questions* const questions = out.questions()) questions->set_object(&room, name, "");
 }
@@ -109,14 +110,22 @@ Grid<glm::vec3> rendered(Random& random, Recorder& out, const DiffuseRoom& room,
     return picture;
 }
 
-// The same numbers give the same answer; and many samples give their mean, not one of them.
-void record_promises(Random& random, Recorder& out)
+// The same numbers give the same answer; many samples give their mean, not one of them; and "far" is 1 where any light
+// is found: however paths end, some are so long that they find the one that only they can.
+void record_promises(Case& c, Recorder& out)
 {
     for (const RoomView& view : promised_views()) {
         introduce(out, view.room, view.name);
-        record_estimate(out, random, [&](int samples, Random& own) {
+        record_estimate(out, c.random, [&](int samples, Random& own) {
             return ask<path_light>(out, view.room, view.ray, view.bounces, samples, own).g;
         });
+    }
+    for (const CorridorQuestion& question : corridors(c)) {
+        introduce(out, question.corridor, question.name);
+        Random own = own_random(c.random);
+        const glm::vec3 light =
+            ask<path_light>(out, question.corridor, Corridor::entrance(), question.bounces, question.samples, own);
+        out.append("far", light.r + light.g + light.b > 0 ? 1.0F : 0.0F);
     }
 }
 
@@ -148,9 +157,11 @@ const Driver driver = {
     {"one bounce", [](Case& c, Recorder& out) { record_views(c.random, out, varied(c.vary, one_bounce()), 256); }},
     {"furnace", [](Case& c, Recorder& out) { record_views(c.random, out, varied(c.vary, furnaces()), 256); }},
     {"long paths", [](Case& c, Recorder& out) { record_views(c.random, out, long_paths(c.vary), 256); }},
+    {"near and dark",
+     [](Case& c, Recorder& out) { record_views(c.random, out, varied(c.vary, near_and_dark()), 256); }},
     {"switched lamps",
      [](Case& c, Recorder& out) { record_views(c.random, out, varied(c.vary, switched_lamps()), 256); }},
-    {"promises", [](Case& c, Recorder& out) { record_promises(c.random, out); }},
+    {"promises", [](Case& c, Recorder& out) { record_promises(c, out); }},
     {"secret", [](Case& c, Recorder& out) { record_secret(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { record_picture(c, out, 96, 16); }},
     {"goal", [](Case& c, Recorder& out) { record_picture(c, out, 240, 64); }},
