@@ -95,6 +95,23 @@ inline std::vector<IndexedMesh> suspects(Variation& vary, Random& random)
     return in_random_order(random, std::move(meshes));
 }
 
+/// The mesh, and beside it one to three pieces that can be wound.
+inline IndexedMesh with_other_pieces(IndexedMesh mesh, Random& random)
+{
+    const IndexedMesh pieces[] = {ball(5, 3), torus(5, 3), tube(5, 2), octahedron(), flat_sheet(3, 2)};
+    const std::uint32_t count = 1 + random.below(3);
+    for (std::uint32_t i = 1; i <= count; ++i)
+        mesh = joined(mesh, pieces[random.below(5)], glm::vec3(0, 4 * static_cast<float>(i), 0));
+    return mesh;
+}
+
+/// A body with a hole: all but one of its triangles, of which few lie at the edge.
+inline IndexedMesh with_hole(IndexedMesh mesh)
+{
+    mesh.triangles.pop_back();
+    return mesh;
+}
+
 /// A closed piece without any volume: a triangle and its back.
 inline IndexedMesh flat_body() { return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}; }
 
@@ -109,9 +126,9 @@ inline IndexedMesh cubes_that_touch(Random& random)
     return mesh;
 }
 
-/// Bodies one within the other, beside each other, and open sheets among them; about half of the pieces look the wrong
-/// way.
-inline IndexedMesh crowd(Random& random)
+/// Bodies one within the other, beside each other, and open sheets and bodies with a hole among them; about half of the
+/// pieces look the wrong way. All are 2^exponent times as large.
+inline IndexedMesh crowd(Random& random, int exponent)
 {
     IndexedMesh mesh;
     const auto add = [&](const IndexedMesh& piece, const glm::vec3& place, float size) {
@@ -127,11 +144,13 @@ inline IndexedMesh crowd(Random& random)
         add(flat_sheet(3, 2), place - glm::vec3(0, 3, 0), 1);
         add(tube(5, 2), place - glm::vec3(0, 6, 0), 1);
         add(flat_body(), place + glm::vec3(0, 8, 0), 1);
+        add(with_hole(i == 1 ? torus(7, 5) : ball(8, 5)), place - glm::vec3(0, 9, 0), 1);
         // At a crowded edge nobody has a neighbour, so these cubes are open; at a corner alone, two are two pieces.
         add(staircase(2 + i), place + glm::vec3(0, 12, 0), 1);
         add(cubes_that_touch(random), place + glm::vec3(0, 16, 0), 1);
     }
-    return shuffled(mesh, random);
+    const float unit = std::ldexp(1.0F, exponent);
+    return shuffled(mapped(mesh, [&](const glm::vec3& position) { return unit * position; }), random);
 }
 
 /// A body multiplied by a power of two, so that its volume is no float: too small for one, or too large.

@@ -43,17 +43,14 @@ void record_faults(Recorder& out, const IndexedMesh& mesh)
     for (const std::uint32_t vertex : first(faults.torn_vertices)) row(3, vertex, vertex);
 }
 
-/// Wound coherently, or the word that this cannot be: a row of minus one, and nothing for the triangles.
+/// Wound coherently, or nothing: then all rows are absent.
 void record_coherent(Recorder& out, const IndexedMesh& mesh)
 {
     out.columns("triangles", corner_names);
     const auto triangles = ask<coherent_triangles>(out, mesh);
     out.append("possible", triangles.has_value());
-    out.append("triangles", glm::vec3(triangles ? static_cast<float>(triangles->size()) : -1));
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const bool has_row = triangles && i < triangles->size();
-        out.append("triangles", has_row ? glm::vec3(canonical((*triangles)[i])) : glm::vec3(-1));
-    }
+    out.append("triangles", triangles ? std::optional(glm::vec3(static_cast<float>(triangles->size()))) : std::nullopt);
+    record_triangles(out, "triangles", triangles.value_or(std::vector<glm::uvec3>{}), mesh.triangles.size());
 }
 
 /// The corners of the triangles, numbered in the order in which they are first met, and where they lie. Which group got
@@ -78,7 +75,8 @@ void record_separated(Recorder& out, const IndexedMesh& mesh)
 }
 
 /// Two meshes after each other in random order: one that can be wound coherently, and one that cannot. Of no triangles
-/// there is a winding: the empty one.
+/// there is a winding: the empty one. Two pairs of three have further pieces, so that one piece says nothing of the
+/// mesh.
 void record_windings(Variation& vary, Random& random, Recorder& out)
 {
     std::vector<IndexedMesh> good{hourglass(5),    staircase(2),    staircase(4),   book(3),
@@ -94,8 +92,13 @@ void record_windings(Variation& vary, Random& random, Recorder& out)
         for (const bool is_first : {!swapped, swapped})
             record_coherent(out, with_mixed_winding(resized(is_first ? one : other, random), random));
     };
-    for (std::size_t i = 0; i < good.size(); ++i)
-        record_pair(shuffled(good[i], random), shuffled(bad[i % bad.size()], random));
+    for (std::size_t i = 0; i < good.size(); ++i) {
+        const auto of_pieces = [&](const IndexedMesh& mesh) {
+            return shuffled(i % 3 == 0 || mesh.triangles.empty() ? mesh : with_other_pieces(mesh, random), random);
+        };
+        const IndexedMesh possible = of_pieces(good[i]);
+        record_pair(possible, of_pieces(bad[i % bad.size()]));
+    }
     record_pair(with_far_copy(octahedron()), moebius(7));
     record_pair(with_large_indices(torus(9 + random.below(3), 7), random),
                 with_large_indices(klein_bottle(9, 7 + random.below(3)), random));
@@ -188,7 +191,8 @@ const Driver driver = {
     {"coherent", [](Case& c, Recorder& out) { record_windings(c.vary, c.random, out); }},
     {"outward",
      [](Case& c, Recorder& out) {
-         for (int i = 0; i < 4; ++i) record_outward(out, crowd(c.random));
+         // The same in units of other sizes: no volume is a small one.
+         for (const int exponent : {0, -10, 3, 0}) record_outward(out, crowd(c.random, exponent));
      }},
     {"far from the origin", [](Case& c, Recorder& out) { record_far(c.random, out); }},
     {"separated",

@@ -2,6 +2,7 @@
 #include <umbral/record/driver.hpp>
 
 #include "../estimates.hpp"
+#include "pixels.hpp"
 #include "questions.hpp"
 
 namespace umbral {
