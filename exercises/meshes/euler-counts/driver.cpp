@@ -43,8 +43,10 @@ void record_genus(Recorder& out, const IndexedMesh& mesh)
 
 void record_random(Random& random, Recorder& out)
 {
-    const std::vector<Sample> tame = tame_meshes();
-    const std::vector<Sample> wild = wild_meshes();
+    std::vector<Sample> tame = tame_meshes();
+    std::vector<Sample> wild = wild_meshes();
+    for (const Sample& sample : with_several_rims())
+        for (std::vector<Sample>* const samples : {&tame, &wild}) samples->push_back(sample);
     for (int i = 0; i < 40; ++i) {
         const IndexedMesh mesh = with_mixed_winding(mixture(i % 2 == 0 ? tame : wild, random), random);
         record_counts(out, i % 4 < 2 ? mesh : with_one_twice(mesh, random));
@@ -52,13 +54,15 @@ void record_random(Random& random, Recorder& out)
     name_counts(out);
 }
 
-// In pairs: a surface that has a genus, and one that has none for a single reason.
+// In pairs: a surface that has a genus, and one that has none for a single reason. In every second round both have as
+// many triangles, though other counts.
 void record_genera(Random& random, Recorder& out)
 {
     std::vector<Sample> tame = tame_meshes();
     tame.push_back({"torus with a hole", opened(torus(6, 4), random)});
     tame.push_back({"plate with two holes, cut open", opened(plate_with_holes(2), random)});
     tame.push_back({"pillow", pillow(true)});
+    for (const Sample& sample : with_several_rims()) tame.push_back(sample);
     for (std::uint32_t round = 0; round < 4; ++round) {
         const std::vector<IndexedMesh> without = {moebius(5 + round),  klein_bottle(4 + round, 5),
                                                   projective_plane(),  book(3 + round),
@@ -69,7 +73,11 @@ void record_genera(Random& random, Recorder& out)
             record_genus(out, first ? other : mesh);
             record_genus(out, first ? mesh : other);
         };
-        const auto record_pair = [&](const IndexedMesh& mesh) { record_both(mesh, mixture(tame, random)); };
+        const auto record_pair = [&](IndexedMesh mesh) {
+            IndexedMesh other = mixture(tame, random);
+            if (round % 2 == 1) pad_to_equal_size(mesh, other);
+            record_both(mesh, other);
+        };
         for (const IndexedMesh& mesh : without) record_pair(another(mesh, random));
         record_pair(with_one_twice(mixture(tame, random), random));
         for (int i = 0; i < 4; ++i) {
@@ -111,21 +119,21 @@ void record_degenerate(Random& random, Variation& vary, Recorder& out)
     name_counts(out);
 }
 
-// A double does not hold numbers of 18 digits, but their billions and the rest: where the question is so large, each
-// has a row.
+// A double does not hold numbers of 18 digits, but their billions and the rest: where the question is so large, these
+// are two values instead of one.
 template <auto from>
 void record_sphere(Recorder& out, std::int64_t number)
 {
     constexpr std::int64_t billion = 1'000'000'000;
     const std::optional<ElementCounts> counts = ask<from>(out, number);
-    const auto append = [&](auto part) {
-        out.append("counts",
+    const auto append = [&](const char* name, auto part) {
+        out.append(name,
                    counts ? std::optional(glm::dvec3(part(counts->vertices), part(counts->edges), part(counts->faces)))
                           : std::nullopt);
     };
-    if (number < billion) return append([](std::int64_t count) { return count; });
-    append([](std::int64_t count) { return count / billion; });
-    append([](std::int64_t count) { return count % billion; });
+    if (number < billion) return append("counts", [](std::int64_t count) { return count; });
+    append("billions", [](std::int64_t count) { return count / billion; });
+    append("last nine digits", [](std::int64_t count) { return count % billion; });
 }
 
 void record_spheres(Variation& vary, Recorder& out)
@@ -157,7 +165,7 @@ void record_spheres(Variation& vary, Recorder& out)
     record_sphere<sphere_from_edges>(out, most - 1);
     record_sphere<sphere_from_faces>(out, most);
     record_sphere<sphere_from_faces>(out, most - 1);
-    out.columns("counts", "vertices, edges, faces");
+    for (const char* name : {"counts", "billions", "last nine digits"}) out.columns(name, "vertices, edges, faces");
 }
 
 void record_work(Recorder& out)
@@ -191,6 +199,7 @@ void record_known(Variation& vary, Recorder& out)
     std::vector<Sample> samples = tame_meshes(vary);
     samples.insert(samples.begin(), {"the course's example", course_example()});
     samples.insert(samples.end(), {{"pillow", pillow(true)},
+                                   {"sheet with holes", pierced_sheet(vary.one_of(2U, std::array{1U, 3U}))},
                                    {"pieces that share a vertex", bow_tie()},
                                    {"cubes that share a vertex", cubes_at_a_corner()},
                                    {"three faces at an edge", book(3)},

@@ -32,6 +32,43 @@ inline IndexedMesh with_one_twice(IndexedMesh mesh, Random& random)
     return mesh;
 }
 
+/// A sheet with a row of holes, which do not touch each other: it has one rim more than holes.
+inline IndexedMesh pierced_sheet(std::uint32_t holes)
+{
+    const std::uint32_t columns = 2 * holes + 1;
+    const IndexedMesh whole = flat_sheet(columns, 3);
+    IndexedMesh mesh{whole.positions, {}};
+    for (std::uint32_t i = 0; i < whole.triangles.size(); ++i) {
+        const std::uint32_t cell = i / 2;
+        if (cell / columns != 1 || cell % columns % 2 == 0) mesh.triangles.push_back(whole.triangles[i]);
+    }
+    return mesh;
+}
+
+/// Surfaces of one piece with several rims each: as many as two, or more.
+inline std::vector<Sample> with_several_rims()
+{
+    return {{"short tube", tube(5, 1)},
+            {"sheet with a hole", pierced_sheet(1)},
+            {"sheet with two holes", pierced_sheet(2)},
+            {"sheet with three holes", pierced_sheet(3)},
+            {"sheet with four holes", pierced_sheet(4)}};
+}
+
+/// Gives the mesh of fewer triangles a fan beside it that has the missing ones.
+inline void pad_to_equal_size(IndexedMesh& a, IndexedMesh& b)
+{
+    IndexedMesh& fewer = a.triangles.size() < b.triangles.size() ? a : b;
+    const auto missing =
+        static_cast<std::uint32_t>(std::max(a.triangles.size(), b.triangles.size()) - fewer.triangles.size());
+    IndexedMesh fan{{{0, 0, 0}, {1, 0, 0}}, {}};
+    for (std::uint32_t i = 0; i < missing; ++i) {
+        fan.positions.emplace_back(1, i + 1, 0);
+        fan.triangles.emplace_back(0, i + 1, i + 2);
+    }
+    if (missing > 0) fewer = joined(fewer, fan);
+}
+
 /// Two meshes that share one vertex of each, wherever these lie: inside, or on a rim.
 inline IndexedMesh glued(const IndexedMesh& first, const IndexedMesh& second, Random& random)
 {
