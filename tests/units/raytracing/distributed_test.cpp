@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <raytracing/distributed/pixels.hpp>
 #include <raytracing/distributed/questions.hpp>
 
 #include "lamp_means.hpp"
