@@ -135,6 +135,9 @@ void keys_by_hand(Variation& vary, Recorder& out)
         {{0, -90}, 90, "zacAaC"},
         {{500, 89.75F}, 0.5F, "xcaAzc"},
         {{-0.5F, 0}, 0.5F, "xxxccccx"},
+        // Through the longitude 0, and away from it, again and again: each key turns the light.
+        {{90, 30}, 90, "cxcCxXxxxxccCc"},
+        {{240, -15}, 120, "xcxXcCxxaxz"},
         // Neighbours of the keys, in the alphabet and on the keyboard, are no keys.
         {{120, 45}, 10, "bByYwWsSqQdDvV10 \n[{xZ"},
         // Neither are the keys with Ctrl, nor letters of other alphabets that share their last bits.
@@ -155,9 +158,14 @@ void random_keys(Random& random, Recorder& out)
     for (int i = 0; i < 12; ++i) {
         const auto longitude = static_cast<float>(random.below(2000)) - 1000;
         const auto latitude = static_cast<float>(random.below(181)) - 90;
-        const float step = 0.5F * static_cast<float>(1 + random.below(60));
-        record_keys(out, {longitude, latitude}, step, random_session(random, 40));
+        // Sums of such steps are floats, whole or not.
+        const float whole = 0.5F * static_cast<float>(1 + random.below(60));
+        const float fine = static_cast<float>(1 + random.below(30 * 1024)) / 1024;
+        record_keys(out, {longitude, latitude}, i % 2 == 0 ? whole : fine, random_session(random, 40));
     }
+    // Often at the longitude 0.
+    for (const float step : {90.0F, 120.0F, 180.0F})
+        record_keys(out, {step * static_cast<float>(random.below(4)), 0}, step, random_session(random, 40));
     // A step of a few roundings turns the light, too.
     for (int i = 0; i < 2; ++i) {
         const auto latitude = static_cast<float>(random.below(121)) - 60;

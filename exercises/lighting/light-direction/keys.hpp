@@ -12,12 +12,16 @@
 /// What users of a light's keys do, and what cameras do meanwhile.
 namespace umbral::lighting {
 
-/// Keys as a user presses them: each one some times in a row, with others in between that mean nothing.
+/// Keys as a user presses them: each one some times in a row, with others in between, of which nearly all mean nothing.
 inline std::string random_session(Random& random, std::size_t length)
 {
-    constexpr char keys[] = "aAzZxXcCxazQ";
+    constexpr std::string_view keys = "aAzZxXcCxaz";
     std::string session;
-    while (session.size() < length) session.append(1 + random.below(6), keys[random.below(sizeof keys - 1)]);
+    while (session.size() < length) {
+        const std::uint32_t which = random.below(keys.size() + 1);
+        const char key = which < keys.size() ? keys[which] : static_cast<char>(' ' + random.below('~' - ' ' + 1));
+        session.append(1 + random.below(6), key);
+    }
     session.resize(length);
     return session;
 }
