@@ -126,6 +126,12 @@ inline IndexedMesh cubes_that_touch(Random& random)
     return mesh;
 }
 
+/// The body 2^exponent times as large.
+inline IndexedMesh scaled_body(const IndexedMesh& body, int exponent)
+{
+    return mapped(body, [&](const glm::vec3& position) { return std::ldexp(1.0F, exponent) * position; });
+}
+
 /// Bodies one within the other, beside each other, and open sheets and bodies with a hole among them; about half of the
 /// pieces look the wrong way. All are 2^exponent times as large.
 inline IndexedMesh crowd(Random& random, int exponent)
@@ -149,16 +155,21 @@ inline IndexedMesh crowd(Random& random, int exponent)
         add(staircase(2 + i), place + glm::vec3(0, 12, 0), 1);
         add(cubes_that_touch(random), place + glm::vec3(0, 16, 0), 1);
     }
-    const float unit = std::ldexp(1.0F, exponent);
-    return shuffled(mapped(mesh, [&](const glm::vec3& position) { return unit * position; }), random);
+    return shuffled(scaled_body(mesh, exponent), random);
 }
 
-/// A body multiplied by a power of two, so that its volume is no float: too small for one, or too large.
-inline IndexedMesh scaled_body(const IndexedMesh& body, int exponent, Random& random)
+/// One small mesh at a time, in random order: closed, flat, or with a hole, looking out or in, of many sizes.
+inline std::vector<IndexedMesh> single_bodies(Random& random)
 {
-    const IndexedMesh mesh =
-        mapped(body, [&](const glm::vec3& position) { return std::ldexp(1.0F, exponent) * position; });
-    return random.below(2) == 0 ? turned_over(mesh) : mesh;
+    std::vector<IndexedMesh> meshes{IndexedMesh{}};
+    for (const IndexedMesh& body : {tetrahedron(), octahedron(), cube(), flat_body(), with_hole(tetrahedron())})
+        for (const int exponent : {-30, -3, 0, 0, 4, 30})
+            for (const bool inwards : {false, true}) {
+                const IndexedMesh scaled = scaled_body(inwards ? turned_over(body) : body, exponent);
+                const IndexedMesh moved = joined({}, resized(scaled, random), scaled.positions[0]);
+                meshes.push_back(shuffled(moved, random));
+            }
+    return in_random_order(random, std::move(meshes));
 }
 
 /// A body of 10 units across, this far from the origin, where its vertices have places of their own: multiples of

@@ -117,9 +117,13 @@ void record_far(Random& random, Recorder& out)
     for (const auto& [distance, step] : {std::pair(1e4, -10), {1e5, -7}, {1e6, -4}, {1e7, 0}})
         for (const IndexedMesh& body : {ball(8, 5), torus(7, 5), plate_with_holes(1), tetrahedron()})
             for (int i = 0; i < 4; ++i) record_outward(out, shuffled(far_body(body, distance, step, random), random));
+    // Volumes that are no float: too small for one, or too large.
     for (const int exponent : {-60, 60})
         for (const IndexedMesh& body : {ball(8, 5), torus(7, 5), plate_with_holes(1), tetrahedron()})
-            for (int i = 0; i < 2; ++i) record_outward(out, shuffled(scaled_body(body, exponent, random), random));
+            for (int i = 0; i < 2; ++i) {
+                const IndexedMesh scaled = scaled_body(body, exponent);
+                record_outward(out, shuffled(random.below(2) == 0 ? turned_over(scaled) : scaled, random));
+            }
     for (int i = 0; i < 24; ++i) record_outward(out, bodies_far_apart(random));
     for (int i = 0; i < 8; ++i)
         for (const IndexedMesh& body : {ball(8, 5), torus(7, 5), plate_with_holes(1), tetrahedron()})
@@ -193,6 +197,10 @@ const Driver driver = {
      [](Case& c, Recorder& out) {
          // The same in units of other sizes: no volume is a small one.
          for (const int exponent : {0, -10, 3, 0}) record_outward(out, crowd(c.random, exponent));
+     }},
+    {"one body",
+     [](Case& c, Recorder& out) {
+         for (const IndexedMesh& mesh : single_bodies(c.random)) record_outward(out, mesh);
      }},
     {"far from the origin", [](Case& c, Recorder& out) { record_far(c.random, out); }},
     {"separated",
