@@ -11,6 +11,7 @@
 
 #include "cli/application.hpp"
 #include "cli/authors/commands.hpp"
+#include "cli/authors/gaps.hpp"
 #include "cli/authors/idle.hpp"
 #include "cli/authors/mutants.hpp"
 #include "cli/authors/unit_pages.hpp"
@@ -34,6 +35,7 @@ struct ValidateOptions {
     bool mutants = false;
     bool slips = false;
     bool idle = false;
+    bool gaps = false;
     std::string markdown;
 };
 
@@ -131,6 +133,10 @@ void add_validate(Command command, Application& application)
                  "Instead: what students write by a slip in each reference (another component, variable or order, a "
                  "tolerance, a kept answer) must lose points");
     command.flag("--idle", options->idle, "Instead: a program whose functions do nothing must earn nothing");
+    command.flag(
+        "--gaps", options->gaps,
+        "Instead: print what the functions are never asked: numbers that are never 0, arguments that are never "
+        "equal, and the like");
     command
         .option("--markdown", options->markdown,
                 "With --mutants or --slips: write what came of them as Markdown; of other units stays what the file "
@@ -138,6 +144,10 @@ void add_validate(Command command, Application& application)
         .called("FILE");
     command.runs([&application, options] {
         if (options->mutants && options->slips) throw UsageError("--mutants and --slips: one after the other");
+        if (options->gaps && (options->mutants || options->slips || options->idle || options->json || options->quiet ||
+                              !options->markdown.empty() || !options->table.empty()))
+            throw UsageError("--gaps goes with --jobs and --seeds only");
+        if (options->gaps) return print_gaps(application, options->units, options->jobs, options->seeds);
         if (options->idle && (options->mutants || options->slips || options->json || !options->markdown.empty() ||
                               !options->table.empty()))
             throw UsageError("--idle goes with --jobs and --quiet only");

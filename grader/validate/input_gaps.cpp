@@ -1,0 +1,198 @@
+#include "validate/input_gaps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <string_view>
+
+#include "question/facts.hpp"
+
+namespace umbral::grader {
+namespace {
+
+using Numbers = std::vector<double>;
+
+/// What comes in fewer calls than these hardly ever comes.
+constexpr std::size_t enough_calls = 10;
+constexpr std::size_t calls_for_one = 100;
+
+/// Takes what is asked too seldom, and says it in few lines.
+class Gaps {
+public:
+    explicit Gaps(const CallsOfFunction& calls) : calls_(calls)
+    {
+        for (const std::vector<Numbers>& run : calls.runs) all_ += run.size();
+    }
+
+    [[nodiscard]] const CallsOfFunction& calls() const noexcept { return calls_; }
+
+    /// In how many calls is it so?
+    [[nodiscard]] std::size_t count(const std::function<bool(const Numbers&)>& is_so) const
+    {
+        std::size_t found = 0;
+        for (const std::vector<Numbers>& run : calls_.runs)
+            found += static_cast<std::size_t>(std::ranges::count_if(run, is_so));
+        return found;
+    }
+
+    /// In how many calls is it so beside the call before?
+    [[nodiscard]] std::size_t count_pairs(const std::function<bool(const Numbers&, const Numbers&)>& is_so) const
+    {
+        std::size_t found = 0;
+        for (const std::vector<Numbers>& run : calls_.runs)
+            for (std::size_t i = 1; i < run.size(); ++i) found += is_so(run[i - 1], run[i]) ? 1 : 0;
+        return found;
+    }
+
+    /// `what` is so in `found` calls.
+    void add(const std::string& what, const std::string& where, std::size_t found)
+    {
+        if (found >= std::min(enough_calls, 1 + all_ / calls_for_one)) return;
+        auto gap = std::ranges::find(gaps_, what, &InputGap::what);
+        if (gap == gaps_.end()) gap = gaps_.insert(gaps_.end(), {what, {}});
+        gap->where.push_back(found == 0 ? where : fmt::format("{} ({} of {})", where, found, all_));
+    }
+
+    void add_count(const std::string& what, std::size_t number, const std::function<bool(double)>& is_so)
+    {
+        add(what, calls_.names[number], count([&](const Numbers& call) { return is_so(call[number]); }));
+    }
+
+    [[nodiscard]] std::vector<InputGap> found() && { return std::move(gaps_); }
+
+private:
+    const CallsOfFunction& calls_;
+    std::size_t all_ = 0;
+    std::vector<InputGap> gaps_;
+};
+
+bool is_so_of_any(const CallsOfFunction& calls, std::size_t number, const std::function<bool(double)>& is_so)
+{
+    return std::ranges::any_of(calls.runs, [&](const std::vector<Numbers>& run) {
+        return std::ranges::any_of(run, [&](const Numbers& call) { return is_so(call[number]); });
+    });
+}
+
+bool is_one_value(const CallsOfFunction& calls, std::size_t number)
+{
+    const double first = calls.runs.front().front()[number];
+    return !is_so_of_any(calls, number, [&](double value) { return value != first; });
+}
+
+bool is_size(std::string_view name) { return name.ends_with(".size()"); }
+
+/// Of a list: how many different elements, or the least and the largest number in them.
+bool is_of_list(std::string_view name) { return name.starts_with("the "); }
+
+void find_gaps_of_numbers(Gaps& gaps)
+{
+    const CallsOfFunction& calls = gaps.calls();
+    for (std::size_t i = 0; i < calls.names.size(); ++i) {
+        if (calls.are_words[i] || is_size(calls.names[i]) || is_of_list(calls.names[i])) continue;
+        if (is_one_value(calls, i)) {
+            gaps.add("always the same", calls.names[i], 0);
+            continue;
+        }
+        const auto between = [](double value) { return value > 0 && value < 1; };
+        const auto is_broken = [](double value) { return value != std::trunc(value); };
+        gaps.add_count("never 0", i, [](double value) { return value == 0; });
+        gaps.add_count("never 1", i, [](double value) { return value == 1; });
+        gaps.add_count("never negative", i, [](double value) { return value < 0; });
+        gaps.add_count("never above 1", i, [](double value) { return value > 1; });
+        if (is_so_of_any(calls, i, is_broken)) gaps.add_count("never between 0 and 1", i, between);
+        gaps.add_count("never broken", i, is_broken);
+    }
+}
+
+void find_gaps_of_words(Gaps& gaps)
+{
+    const CallsOfFunction& calls = gaps.calls();
+    for (std::size_t i = 0; i < calls.names.size(); ++i)
+        if (calls.are_words[i] && is_one_value(calls, i)) gaps.add("always the same", calls.names[i], 0);
+}
+
+void find_gaps_of_lists(Gaps& gaps)
+{
+    const CallsOfFunction& calls = gaps.calls();
+    for (std::size_t i = 0; i < calls.names.size(); ++i) {
+        if (!is_size(calls.names[i])) continue;
+        for (int length = 0; length < 4; ++length)
+            gaps.add_count(fmt::format("never of {} elements", length), i,
+                           [&](double value) { return value == length; });
+        const std::string list = calls.names[i].substr(0, calls.names[i].find(".size()"));
+        for (std::size_t k = 0; k < calls.names.size(); ++k)
+            if (calls.names[k] == "the number of different elements in " + list)
+                gaps.add("never with equal elements", list,
+                         gaps.count([&](const Numbers& call) { return call[k] < call[i]; }));
+    }
+}
+
+void find_gaps_of_vectors(Gaps& gaps)
+{
+    const std::vector<VectorColumns> vectors = vectors_in(gaps.calls().names);
+    const auto part = [](const Numbers& call, const VectorColumns& vector) {
+        return std::span(call).subspan(vector.first, vector.size);
+    };
+    for (const VectorColumns& vector : vectors) {
+        if (vector.size < 3) continue;
+        for (std::size_t k = 0; k < vector.size; ++k)
+            gaps.add("never 0 beside others that are not", gaps.calls().names[vector.first + k],
+                     gaps.count([&](const Numbers& call) {
+                         const auto numbers = part(call, vector);
+                         return numbers[k] == 0 && std::ranges::count(numbers, 0) == 1;
+                     }));
+    }
+    for (std::size_t i = 0; i < vectors.size(); ++i)
+        for (std::size_t j = i + 1; j < vectors.size(); ++j)
+            if (vectors[i].size == vectors[j].size)
+                gaps.add("never equal", vectors[i].words + " = " + vectors[j].words,
+                         gaps.count([&](const Numbers& call) {
+                             return std::ranges::equal(part(call, vectors[i]), part(call, vectors[j]));
+                         }));
+}
+
+/// Of code that keeps something from one call to the next.
+void find_gaps_of_order(Gaps& gaps)
+{
+    const CallsOfFunction& calls = gaps.calls();
+    const std::set<std::size_t> arguments(calls.arguments.begin(), calls.arguments.end());
+    if (arguments.size() < 2) return;
+    for (const std::size_t argument : arguments) {
+        const auto is_same = [&](const Numbers& before, const Numbers& call, bool of_argument) {
+            for (std::size_t i = 0; i < call.size(); ++i)
+                if ((calls.arguments[i] == argument) == of_argument && before[i] != call[i]) return false;
+            return true;
+        };
+        const std::size_t first =
+            static_cast<std::size_t>(std::ranges::find(calls.arguments, argument) - calls.arguments.begin());
+        const std::string& name = calls.names[first];
+        const std::string words = is_of_list(name) ? name : name.substr(0, name.find_first_of(".["));
+        gaps.add("never the same as in the call before, with others that differ", words,
+                 gaps.count_pairs([&](const Numbers& before, const Numbers& call) {
+                     return is_same(before, call, true) && !is_same(before, call, false);
+                 }));
+        gaps.add("never the only one that differs from the call before", words,
+                 gaps.count_pairs([&](const Numbers& before, const Numbers& call) {
+                     return !is_same(before, call, true) && is_same(before, call, false);
+                 }));
+    }
+}
+
+}
+
+std::vector<InputGap> input_gaps(const CallsOfFunction& calls)
+{
+    if (std::ranges::all_of(calls.runs, &std::vector<Numbers>::empty) || calls.names.empty()) return {};
+    Gaps gaps(calls);
+    find_gaps_of_words(gaps);
+    find_gaps_of_numbers(gaps);
+    find_gaps_of_vectors(gaps);
+    find_gaps_of_lists(gaps);
+    find_gaps_of_order(gaps);
+    return std::move(gaps).found();
+}
+
+}
