@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <set>
 #include <string_view>
@@ -18,6 +19,23 @@ using Numbers = std::vector<double>;
 /// What comes in fewer calls than these hardly ever comes.
 constexpr std::size_t enough_calls = 10;
 constexpr std::size_t calls_for_one = 100;
+
+/// "a.xyz" for "a.x", "a.y", "a.z" that follow each other.
+void join_components(std::vector<std::string>& names)
+{
+    std::vector<std::string> joined;
+    for (const std::string& name : names) {
+        const std::size_t point = name.size() - 2;
+        const bool is_component = name.size() > 2 && name[point] == '.' && std::strchr("yzw", name.back()) != nullptr;
+        std::string* const last = joined.empty() ? nullptr : &joined.back();
+        if (is_component && last != nullptr && last->size() > point && last->starts_with(name.substr(0, point + 1)) &&
+            last->find_first_not_of("xyz", point + 1) == std::string::npos)
+            *last += name.back();
+        else
+            joined.push_back(name);
+    }
+    names = std::move(joined);
+}
 
 /// Takes what is asked too seldom, and says it in few lines.
 class Gaps {
@@ -61,7 +79,11 @@ public:
         add(what, calls_.names[number], count([&](const Numbers& call) { return is_so(call[number]); }));
     }
 
-    [[nodiscard]] std::vector<InputGap> found() && { return std::move(gaps_); }
+    [[nodiscard]] std::vector<InputGap> found() &&
+    {
+        for (InputGap& gap : gaps_) join_components(gap.where);
+        return std::move(gaps_);
+    }
 
 private:
     const CallsOfFunction& calls_;
@@ -99,9 +121,7 @@ void find_gaps_of_numbers(Gaps& gaps)
         const auto between = [](double value) { return value > 0 && value < 1; };
         const auto is_broken = [](double value) { return value != std::trunc(value); };
         gaps.add_count("never 0", i, [](double value) { return value == 0; });
-        gaps.add_count("never 1", i, [](double value) { return value == 1; });
         gaps.add_count("never negative", i, [](double value) { return value < 0; });
-        gaps.add_count("never above 1", i, [](double value) { return value > 1; });
         if (is_so_of_any(calls, i, is_broken)) gaps.add_count("never between 0 and 1", i, between);
         gaps.add_count("never broken", i, is_broken);
     }
@@ -145,13 +165,25 @@ void find_gaps_of_vectors(Gaps& gaps)
                          return numbers[k] == 0 && std::ranges::count(numbers, 0) == 1;
                      }));
     }
+    // Of one kind: two arguments, or the same part of two.
+    const auto part_of = [](const std::string& words) { return words.substr(std::min(words.find('.'), words.size())); };
     for (std::size_t i = 0; i < vectors.size(); ++i)
         for (std::size_t j = i + 1; j < vectors.size(); ++j)
-            if (vectors[i].size == vectors[j].size)
+            if (vectors[i].size == vectors[j].size && part_of(vectors[i].words) == part_of(vectors[j].words))
                 gaps.add("never equal", vectors[i].words + " = " + vectors[j].words,
                          gaps.count([&](const Numbers& call) {
                              return std::ranges::equal(part(call, vectors[i]), part(call, vectors[j]));
                          }));
+}
+
+/// "ray" of "ray.origin.x"; of a function with one argument "ray.origin".
+std::string part_of(const CallsOfFunction& calls, std::size_t number, bool has_others)
+{
+    const std::string& name = calls.names[number];
+    if (is_of_list(name)) return name.substr(name.rfind(' ') + 1);
+    const std::size_t point = name.find_first_of(".[");
+    if (has_others || point == std::string::npos || is_size(name)) return name.substr(0, point);
+    return name.substr(0, name.find_first_of(".[", point + 1));
 }
 
 /// Of code that keeps something from one call to the next.
@@ -159,22 +191,21 @@ void find_gaps_of_order(Gaps& gaps)
 {
     const CallsOfFunction& calls = gaps.calls();
     const std::set<std::size_t> arguments(calls.arguments.begin(), calls.arguments.end());
-    if (arguments.size() < 2) return;
-    for (const std::size_t argument : arguments) {
-        const auto is_same = [&](const Numbers& before, const Numbers& call, bool of_argument) {
+    std::vector<std::string> part;
+    for (std::size_t i = 0; i < calls.names.size(); ++i) part.push_back(part_of(calls, i, arguments.size() > 1));
+    const std::set<std::string> parts(part.begin(), part.end());
+    if (parts.size() < 2) return;
+    for (const std::string& one : parts) {
+        const auto is_same = [&](const Numbers& before, const Numbers& call, bool of_it) {
             for (std::size_t i = 0; i < call.size(); ++i)
-                if ((calls.arguments[i] == argument) == of_argument && before[i] != call[i]) return false;
+                if ((part[i] == one) == of_it && before[i] != call[i]) return false;
             return true;
         };
-        const std::size_t first =
-            static_cast<std::size_t>(std::ranges::find(calls.arguments, argument) - calls.arguments.begin());
-        const std::string& name = calls.names[first];
-        const std::string words = is_of_list(name) ? name : name.substr(0, name.find_first_of(".["));
-        gaps.add("never the same as in the call before, with others that differ", words,
+        gaps.add("never the same as in the call before, beside others that differ", one,
                  gaps.count_pairs([&](const Numbers& before, const Numbers& call) {
                      return is_same(before, call, true) && !is_same(before, call, false);
                  }));
-        gaps.add("never the only one that differs from the call before", words,
+        gaps.add("never the only one that differs from the call before", one,
                  gaps.count_pairs([&](const Numbers& before, const Numbers& call) {
                      return !is_same(before, call, true) && is_same(before, call, false);
                  }));
