@@ -132,6 +132,7 @@ Confirmed confirmed_elsewhere(const Condition& condition, OtherCases& others, co
         std::size_t wrong = 0;
         std::size_t wrong_and_holds = 0;
         for (std::size_t i = 0; i < told.wrong.size(); ++i) {
+            if (condition.undecided && condition.undecided(told.facts, i)) continue;
             const bool here = condition.holds(told.facts, i);
             holds += here ? 1 : 0;
             wrong += told.wrong[i] ? 1 : 0;

@@ -182,6 +182,7 @@ Condition measured(const PossibleCondition& candidate, const std::vector<Fact>& 
 {
     Condition condition{.words = candidate.words,
                         .holds = candidate.holds,
+                        .undecided = candidate.undecided,
                         .fitted = candidate.fitted,
                         .of_answer = candidate.of_answer,
                         .is_simple = is_simple(candidate, facts),
@@ -189,6 +190,7 @@ Condition measured(const PossibleCondition& candidate, const std::vector<Fact>& 
                         .compares = candidate.compares,
                         .also_told_by = {}};
     for (std::size_t i = 0; i < wrong.size(); ++i) {
+        if (candidate.undecided && candidate.undecided(facts, i)) continue;
         const bool holds = candidate.holds(facts, i);
         ++(wrong[i] ? condition.wrong : condition.right);
         if (holds) ++(wrong[i] ? condition.wrong_where : condition.right_where);
@@ -198,7 +200,9 @@ Condition measured(const PossibleCondition& candidate, const std::vector<Fact>& 
 
 bool parts(const Condition& condition, const std::vector<Fact>& facts, const std::vector<bool>& wrong)
 {
-    const Condition again = measured({condition.words, condition.holds, 0}, facts, wrong);
+    PossibleCondition candidate{condition.words, condition.holds};
+    candidate.undecided = condition.undecided;
+    const Condition again = measured(candidate, facts, wrong);
     if (again.wrong == 0 || again.right == 0) return false;
     return condition.one_sided ? again.wrong_where == again.wrong && again.right_where < again.right : parted(again);
 }

@@ -15,6 +15,9 @@ struct Condition {
     std::string words;  ///< of a question for which it holds: "ray.t_min is greater than 0"
     /// Does it hold? Takes facts of other questions of the same kind, and which of them to look at.
     std::function<bool(const std::vector<Fact>& facts, std::size_t question)> holds;
+    /// Does it hold a bound, put between these very questions, and is this question nearer to it than all of them, so
+    /// that nobody knows? Empty: of none.
+    std::function<bool(const std::vector<Fact>& facts, std::size_t question)> undecided{};
     bool fitted = false;     ///< holds a bound that was put between these very questions
     bool of_answer = false;  ///< tells of the right answer's numbers, and not of the question's alone
     bool one_sided = false;  ///< answers are wrong only where it holds, but not all of these (one_sided.hpp)
@@ -39,7 +42,8 @@ struct PossibleCondition;
 /// not.
 inline constexpr double least_parted = 0.97;
 
-/// Does `condition` part these questions so well? One that is one-sided must hold of all wrong ones.
+/// Does `condition` part these questions, but those that are undecided, so well? One that is one-sided must hold of all
+/// wrong ones.
 [[nodiscard]] bool parts(const Condition& condition, const std::vector<Fact>& facts, const std::vector<bool>& wrong);
 
 /// The simplest condition on the facts that parts the questions for which `wrong` is true from the others; the same of

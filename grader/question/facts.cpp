@@ -8,6 +8,8 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "question/names.hpp"
+#include "question/size_facts.hpp"
+#include "question/told_fact.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -95,22 +97,13 @@ double ties_in(const std::vector<double>& row, const VectorColumns& a)
     return largest > 0 && std::isfinite(largest) ? std::max(0.0, as_large - 1) : 0;
 }
 
-template <class Value>
-Fact fact(std::string words, Fact::Kind kind, const QuestionTable& table, const Value& value)
-{
-    Fact result{std::move(words), kind};
-    for (const std::vector<double>& row : table.numbers) result.values.push_back(value(row));
-    result.quantity = quantity_of(result.words);
-    return result;
-}
-
 /// A product, and how large it is without its sign: what is small is taken for nothing by who compares with a bound.
 template <class Value>
 void add_product(std::string words, const QuestionTable& table, const Value& value, std::vector<Fact>& facts)
 {
-    facts.push_back(fact("the size of " + words, Fact::Kind::product, table,
-                         [&](const auto& row) { return std::abs(value(row)); }));
-    facts.push_back(fact(std::move(words), Fact::Kind::product, table, value));
+    facts.push_back(told_fact("the size of " + words, Fact::Kind::product, table,
+                              [&](const auto& row) { return std::abs(value(row)); }));
+    facts.push_back(told_fact(std::move(words), Fact::Kind::product, table, value));
 }
 
 /// Of three vectors that are all of a struct or an array; and of any three where there are few.
@@ -192,7 +185,7 @@ std::vector<Fact> facts_of(const QuestionTable& table)
     const std::vector<VectorColumns> vectors = vectors_in(table.names);
     std::vector<Fact> facts;
     for (std::size_t i = 0; i < table.names.size(); ++i) {
-        facts.push_back(fact(table.names[i], Fact::Kind::number, table, [&](const auto& row) { return row[i]; }));
+        facts.push_back(told_fact(table.names[i], Fact::Kind::number, table, [&](const auto& row) { return row[i]; }));
         facts.back().first = table.first == i;
         facts.back().label = std::ranges::find(table.labels, i) != table.labels.end();
         facts.back().answer = i >= table.answers && !facts.back().label;
@@ -207,18 +200,19 @@ std::vector<Fact> facts_of(const QuestionTable& table)
     }
     for (std::size_t i = 0; i < std::min(vectors.size(), most_vectors); ++i) {
         const VectorColumns& a = vectors[i];
-        facts.push_back(fact("the length of " + a.words, Fact::Kind::length, table,
-                             [&](const auto& row) { return std::sqrt(dot(row, a, a)); }));
+        facts.push_back(told_fact("the length of " + a.words, Fact::Kind::length, table,
+                                  [&](const auto& row) { return std::sqrt(dot(row, a, a)); }));
         facts.back().answer = a.first >= table.answers;
         const auto add_coordinate = [&](const std::string& which, const auto& best) {
-            facts.push_back(fact(fmt::format("the {} coordinate of {}", which, a.words), Fact::Kind::coordinate, table,
-                                 [&](const auto& row) { return extreme(row, a, best); }));
+            facts.push_back(told_fact(fmt::format("the {} coordinate of {}", which, a.words), Fact::Kind::coordinate,
+                                      table, [&](const auto& row) { return extreme(row, a, best); }));
             facts.back().answer = a.first >= table.answers;
         };
         add_coordinate("least", [](double x, double y) { return std::min(x, y); });
         add_coordinate("largest", [](double x, double y) { return std::max(x, y); });
         if (a.first < table.answers && quantity_of(a.words) != Quantity::light)
-            facts.push_back(fact(a.words, Fact::Kind::tie, table, [&](const auto& row) { return ties_in(row, a); }));
+            facts.push_back(
+                told_fact(a.words, Fact::Kind::tie, table, [&](const auto& row) { return ties_in(row, a); }));
         for (std::size_t j = i + 1; j < std::min(vectors.size(), most_vectors); ++j) {
             const VectorColumns& b = vectors[j];
             const bool are_in_space = std::min(a.size, b.size) == 3 && std::max(a.size, b.size) == 4;
@@ -227,17 +221,19 @@ std::vector<Fact> facts_of(const QuestionTable& table)
             const Quantity of_b = quantity_of(b.words);
             if (of_a == Quantity::light || of_b == Quantity::light) continue;
             if (of_a == Quantity::unknown && of_b == Quantity::unknown)
-                facts.push_back(fact(fmt::format("the distance between {} and {}", a.words, b.words),
-                                     Fact::Kind::length, table, [&](const auto& row) { return distance(row, a, b); }));
+                facts.push_back(told_fact(fmt::format("the distance between {} and {}", a.words, b.words),
+                                          Fact::Kind::length, table,
+                                          [&](const auto& row) { return distance(row, a, b); }));
             if (a.size != b.size || is_homogeneous(table, a)) continue;
-            facts.push_back(fact(fmt::format("dot({}, {})", a.words, b.words), Fact::Kind::product, table,
-                                 [&](const auto& row) { return dot(row, a, b); }));
-            facts.push_back(fact(fmt::format("{} and {}", a.words, b.words), Fact::Kind::parallel, table,
-                                 [&](const auto& row) { return sine(row, a, b); }));
+            facts.push_back(told_fact(fmt::format("dot({}, {})", a.words, b.words), Fact::Kind::product, table,
+                                      [&](const auto& row) { return dot(row, a, b); }));
+            facts.push_back(told_fact(fmt::format("{} and {}", a.words, b.words), Fact::Kind::parallel, table,
+                                      [&](const auto& row) { return sine(row, a, b); }));
         }
     }
     add_triples(table, vectors, facts);
     add_determinants(table, facts);
+    add_sizes(table, vectors, facts);
     return facts;
 }
 

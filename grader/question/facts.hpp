@@ -12,8 +12,9 @@ namespace umbral::grader {
 /// A number that can be told of each of several questions, in words: "the length of ray.direction".
 struct Fact {
     /// What may be compared: numbers of the question itself, lengths and distances with each other, products of vectors
-    /// and their coordinates with 0 or a bound. A tie is how many coordinates are as large as the largest, beside it.
-    enum class Kind { number, length, product, parallel, coordinate, tie };
+    /// and their coordinates with 0 or a bound, sizes with a bound only. A tie is how many coordinates are as large as
+    /// the largest, beside it.
+    enum class Kind { number, length, product, parallel, coordinate, tie, size };
 
     std::string words;
     Kind kind = Kind::number;
@@ -48,7 +49,8 @@ struct VectorColumns {
 [[nodiscard]] std::vector<VectorColumns> vectors_in(const std::vector<std::string>& names);
 
 /// All that is told of the questions: their numbers, the lengths, least and largest coordinates of vectors and ties
-/// between these, distances and products between two, areas and determinants of three, and determinants of matrices.
+/// between these, distances and products between two, areas and determinants of three, determinants of matrices, and
+/// sizes (size_facts.hpp).
 [[nodiscard]] std::vector<Fact> facts_of(const QuestionTable& table);
 
 }

@@ -98,7 +98,8 @@ int cost_of(const Fact& fact)
         case Fact::Kind::tie: return 2;
         // Of a product that is 0, the vector that is 0 is the reason, where there is one.
         case Fact::Kind::product:
-        case Fact::Kind::parallel: break;
+        case Fact::Kind::parallel:
+        case Fact::Kind::size: break;
     }
     return 2;
 }
@@ -119,6 +120,7 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Possib
     const Fact& fact = facts[i];
     if (!fact.value_names.empty()) return add_named(facts, i, all);
     if (fact.kind == Fact::Kind::tie) return add_tie(facts, i, all);
+    if (fact.kind == Fact::Kind::size) return;
     const std::string& words = fact.words;
     const int cost = cost_of(fact);
     if (fact.kind == Fact::Kind::parallel) {

@@ -8,93 +8,11 @@
 #include <set>
 
 #include "judge/rows/whole_number.hpp"
+#include "question/bound_conditions.hpp"
 #include "question/plain_conditions.hpp"
-#include "question/rounded.hpp"
 
 namespace umbral::grader {
 namespace {
-
-/// Do these numbers differ by so much that their magnitudes say more than their differences?
-bool are_magnitudes(double least, double largest) { return least > 0 && largest > 1e4 * least; }
-
-/// A number of few digits strictly between two.
-double between(double low, double high)
-{
-    const double middle = low == -std::numeric_limits<double>::infinity() ? high
-                          : are_magnitudes(low, high)                     ? std::sqrt(low) * std::sqrt(high)
-                                                                          : low + (high - low) / 2;
-    for (int digits = 1; digits < 17; ++digits) {
-        const double rounded = rounded_to(middle, digits);
-        if (rounded > low && rounded <= high) return rounded;
-    }
-    return high;
-}
-
-/// Do so many of these values, which are different and in order, lie on either side of the first one from `bound` on,
-/// and so near, that it says where wrong ones begin? Between few groups of equal numbers a bound can be put anywhere.
-bool is_close(const std::vector<double>& values, double bound)
-{
-    constexpr std::ptrdiff_t least_whole = 2;  ///< of counts and sizes; of one, it is said that they are that one
-    constexpr std::ptrdiff_t least = 4;
-    constexpr double most_gap = 0.125;  ///< of what all values span
-    const auto place = std::ranges::lower_bound(values, bound);
-    const auto fewer = std::min(place - values.begin(), values.end() - place);
-    if (std::ranges::all_of(values, is_whole_number)) return fewer >= least_whole;
-    if (fewer < least) return false;
-    const double below = *(place - 1);
-    if (are_magnitudes(values.front(), values.back()))
-        return std::log(*place / below) <= most_gap * std::log(values.back() / values.front());
-    return *place - below <= most_gap * (values.back() - values.front());
-}
-
-/// Where wrong answers lie on one side: "is less than 2", "is 7 or more".
-void add_threshold(const std::vector<Fact>& facts, std::size_t i, const std::vector<bool>& wrong,
-                   std::vector<PossibleCondition>& all)
-{
-    const Fact& fact = facts[i];
-    if (fact.kind == Fact::Kind::parallel || fact.kind == Fact::Kind::tie || !fact.value_names.empty()) return;
-    struct Pair {
-        double value;
-        bool wrong;
-    };
-    std::vector<Pair> sorted;
-    for (std::size_t k = 0; k < wrong.size(); ++k)
-        if (std::isfinite(fact.values[k])) sorted.push_back({fact.values[k], wrong[k]});
-    if (sorted.size() < 2 * least_questions) return;
-    std::ranges::sort(sorted, {}, &Pair::value);
-    std::vector<double> values;
-    for (const Pair& one : sorted)
-        if (values.empty() || one.value != values.back()) values.push_back(one.value);
-    std::size_t all_wrong = static_cast<std::size_t>(std::ranges::count(sorted, true, &Pair::wrong));
-    std::size_t best = 0;
-    std::size_t best_errors = sorted.size();
-    bool best_below = false;
-    std::size_t wrong_below = 0;
-    for (std::size_t k = 1; k < sorted.size(); ++k) {
-        wrong_below += sorted[k - 1].wrong ? 1 : 0;
-        if (sorted[k].value == sorted[k - 1].value) continue;
-        const std::size_t if_below = (k - wrong_below) + (all_wrong - wrong_below);
-        const std::size_t if_above = sorted.size() - if_below;
-        if (std::min(if_below, if_above) >= best_errors) continue;
-        best = k;
-        best_errors = std::min(if_below, if_above);
-        best_below = if_below < if_above;
-    }
-    if (best == 0) return;
-    // Codes and counts: nothing lies between them, and what is right has no order that anybody thinks of.
-    const bool whole = std::ranges::all_of(values, is_whole_number);
-    const double bound = whole ? sorted[best].value : between(sorted[best - 1].value, sorted[best].value);
-    // What needs no number is simpler, if it parts them as well.
-    const int cost = std::max(cost_of(fact), 0) + 4;
-    all.push_back({fmt::format("{} is {} {:.6g}", fact.words, best_below ? "less than" : "at least", bound),
-                   [i, bound, best_below](const std::vector<Fact>& others, std::size_t question) {
-                       // What is not a number is neither.
-                       const double value = others[i].values[question];
-                       return best_below ? value < bound : value >= bound;
-                   },
-                   cost, bound != 0});
-    all.back().accidental = (whole && fact.answer) || !is_close(values, sorted[best].value);
-}
 
 /// Are two facts equal to each other with several values?
 bool are_equal_often(const Fact& a, const Fact& b)
@@ -145,6 +63,26 @@ bool are_wrong_with_several(const Fact& a, const Fact& b, const std::vector<bool
     return pairs.size() > 1;
 }
 
+/// May one be less than the other for a reason? The others are so in the questions that there are, by chance.
+bool measure_alike(const Fact& a, const Fact& b)
+{
+    const auto is_one = [&](Quantity quantity) { return (a.quantity == quantity ? 1 : 0) + (b.quantity == quantity); };
+    // What is exactly one of these two.
+    if (is_one(Quantity::angle) == 1 || is_one(Quantity::light) == 1) return false;
+    if (is_one(Quantity::screen) == 1 && is_one(Quantity::depth) == 1) return false;
+    const auto is_distance = [](const Fact& fact) { return fact.kind == Fact::Kind::length; };
+    const auto is_size = [](const Fact& fact) { return fact.words.ends_with(".size()"); };
+    // How far apart places are has nothing to do with how many there are, nor with pixels.
+    for (const auto& [one, other] : {std::pair(&a, &b), std::pair(&b, &a)})
+        if (is_distance(*one) && (is_size(*other) || other->quantity == Quantity::screen)) return false;
+    // Nor do directions with places: the length of a direction is nothing.
+    const bool are_vectors =
+        is_distance(a) && is_distance(b) && a.words.starts_with("the length") && b.words.starts_with("the length");
+    if (are_vectors && is_one(Quantity::direction) == 1) return false;
+    // A number from a list of names has another quantity's size by chance, but for a list's length.
+    return is_one(Quantity::index) != 1 || is_size(a) || is_size(b);
+}
+
 /// Of two facts that measure alike: "the distance between ray.origin and sphere.centre is less than sphere.radius".
 void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j, const std::vector<bool>& wrong,
                     std::vector<PossibleCondition>& all)
@@ -162,10 +100,7 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
     const Fact& a = facts[i];
     const Fact& b = facts[j];
     if (!comparable(a) || !comparable(b) || a.value_names != b.value_names) return;
-    // How far apart places are has nothing to do with how many there are.
-    if (a.kind == Fact::Kind::length && b.words.ends_with(".size()")) return;
-    for (const Quantity one : {Quantity::angle, Quantity::light})
-        if ((a.quantity == one) != (b.quantity == one)) return;
+    if (!measure_alike(a, b)) return;
     // That a list has elements twice is a reason only if how long it is is none.
     const bool of_a_list = a.words.ends_with(".size()") && b.words.starts_with("the number of different");
     const int cost = 3 + (same_component || (a.kind == Fact::Kind::length && b.kind == Fact::Kind::length) ? 1 : 0) +
@@ -205,7 +140,7 @@ std::vector<PossibleCondition> possible_conditions(const std::vector<Fact>& fact
     for (std::size_t i = 0; i < facts.size(); ++i) {
         const std::size_t before = all.size();
         add_plain(facts, i, all);
-        add_threshold(facts, i, wrong, all);
+        add_bounds(facts, i, wrong, all);
         add_single_value(facts, i, wrong, all);
         for (std::size_t k = before; k < all.size(); ++k) {
             all[k].of_answer = facts[i].answer;

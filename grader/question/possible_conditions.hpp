@@ -22,6 +22,7 @@ struct PossibleCondition {
     bool of_answer = false;             ///< likewise
     std::optional<std::size_t> fact{};  ///< the one that it looks at, if it is one
     bool compares = false;              ///< as in Condition
+    std::function<bool(const std::vector<Fact>& facts, std::size_t question)> undecided{};  ///< likewise
     bool accidental = false;  ///< may well hold by chance: a bound between groups of equal numbers, a whole coordinate
 };
 

@@ -11,6 +11,9 @@ constexpr std::array<std::string_view, 15> angles = {"angle",     "angles", "deg
                                                      "elevation", "fov",    "fovy",    "fovx",    "phi",
                                                      "theta",     "yaw",    "pitch",   "roll",    "turns"};
 constexpr std::array<std::string_view, 6> directions = {"direction", "normal", "axis", "up", "tangent", "bitangent"};
+constexpr std::array<std::string_view, 2> on_screen = {"width", "height"};
+constexpr std::array<std::string_view, 3> depths = {"depth", "near", "far"};
+constexpr std::array<std::string_view, 2> indices = {"index", "level"};
 constexpr std::array<std::string_view, 7> lights = {"color",   "colors",   "emission", "ambient",
                                                     "diffuse", "specular", "albedo"};
 
@@ -29,6 +32,9 @@ Quantity quantity_of(std::string_view name)
         if (std::ranges::find(angles, word) != angles.end()) return Quantity::angle;
         if (std::ranges::find(directions, word) != directions.end()) quantity = Quantity::direction;
         if (std::ranges::find(lights, word) != lights.end()) quantity = Quantity::light;
+        if (std::ranges::find(on_screen, word) != on_screen.end()) quantity = Quantity::screen;
+        if (std::ranges::find(depths, word) != depths.end()) quantity = Quantity::depth;
+        if (std::ranges::find(indices, word) != indices.end()) quantity = Quantity::index;
         at = end + 1;
     }
     return quantity;

@@ -11,6 +11,9 @@ enum class Quantity {
     angle,      ///< "fovy_degrees", "camera.azimuth"
     direction,  ///< "ray.direction", "plane.normal"
     light,      ///< "material.emission", "global_ambient": colours lie nowhere
+    screen,     ///< "viewport.width": a number of pixels
+    depth,      ///< "viewport.near_depth", "z_far"
+    index,      ///< "material.index": which of several, or a material's number
 };
 
 /// By the words of the name's last part: "fovy" and "degrees" of "camera.fovy_degrees".

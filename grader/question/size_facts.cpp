@@ -1,0 +1,112 @@
+#include "question/size_facts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "question/names.hpp"
+#include "question/told_fact.hpp"
+
+namespace umbral::grader {
+namespace {
+
+/// Of more than these, what one is beside the others is no more than a list of names.
+constexpr std::size_t most_together = 5;
+
+bool have_both_signs(const QuestionTable& table, std::size_t number)
+{
+    const auto any = [&](auto is_so) {
+        return std::ranges::any_of(table.numbers, [&](const auto& row) { return is_so(row[number]); });
+    };
+    return any([](double x) { return x < 0; }) && any([](double x) { return x > 0; });
+}
+
+void add_size(std::string words, const QuestionTable& table, const auto& value, std::vector<Fact>& facts)
+{
+    facts.push_back(told_fact("the size of " + std::move(words), Fact::Kind::size, table,
+                              [&](const auto& row) { return std::abs(value(row)); }));
+}
+
+void add_difference(const QuestionTable& table, std::size_t a, std::size_t b, std::vector<Fact>& facts)
+{
+    add_size(
+        fmt::format("{} - {}", table.names[b], table.names[a]), table, [&](const auto& row) { return row[b] - row[a]; },
+        facts);
+}
+
+/// Numbers that stand for themselves: no words, no counts of lists, no parts of vectors and matrices.
+std::vector<std::size_t> plain_numbers(const QuestionTable& table, const std::vector<VectorColumns>& vectors)
+{
+    std::vector<std::size_t> plain;
+    for (std::size_t i = 0; i < std::min(table.names.size(), table.answers); ++i) {
+        const std::string& name = table.names[i];
+        const bool of_vector = std::ranges::any_of(
+            vectors, [i](const VectorColumns& one) { return i >= one.first && i < one.first + one.size; });
+        const bool is_word = i < table.words.size() && !table.words[i].empty();
+        if (!of_vector && !is_word && !name.ends_with(']') && !name.ends_with("()") && !name.starts_with("the "))
+            plain.push_back(i);
+    }
+    return plain;
+}
+
+/// Of what lies in one struct.
+void add_differences(const QuestionTable& table, const std::vector<VectorColumns>& vectors,
+                     const std::vector<std::size_t>& plain, std::vector<Fact>& facts)
+{
+    const auto belong = [](std::string_view a, std::string_view b) {
+        return !owner_of(a).empty() && owner_of(a) == owner_of(b) && quantity_of(a) == quantity_of(b);
+    };
+    for (std::size_t i = 0; i < vectors.size(); ++i)
+        for (std::size_t j = i + 1; j < std::min(vectors.size(), i + most_together); ++j) {
+            const VectorColumns& a = vectors[i];
+            const VectorColumns& b = vectors[j];
+            if (a.size != b.size || b.first >= table.answers || !belong(a.words, b.words)) continue;
+            if (quantity_of(a.words) != Quantity::unknown) continue;
+            for (std::size_t k = 0; k < a.size; ++k) add_difference(table, a.first + k, b.first + k, facts);
+        }
+    for (std::size_t i = 0; i < plain.size(); ++i)
+        for (std::size_t j = i + 1; j < std::min(plain.size(), i + most_together); ++j)
+            if (belong(table.names[plain[i]], table.names[plain[j]])) add_difference(table, plain[i], plain[j], facts);
+}
+
+void add_shortest_and_longest(const QuestionTable& table, const std::vector<VectorColumns>& vectors,
+                              std::vector<Fact>& facts)
+{
+    std::vector<VectorColumns> all;
+    std::string names;
+    for (const VectorColumns& one : vectors)
+        if (one.first < table.answers && quantity_of(one.words) != Quantity::light) all.push_back(one);
+    if (all.size() < 2 || all.size() > most_together) return;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        names += (i == 0 ? "" : i + 1 == all.size() ? " and " : ", ") + all[i].words;
+    const auto add = [&](std::string_view words, const auto& best) {
+        facts.push_back(told_fact(std::string(words) + names, Fact::Kind::size, table, [&](const auto& row) {
+            double found = -1;
+            for (const VectorColumns& one : all) {
+                double square = 0;
+                for (std::size_t k = 0; k < one.size; ++k) square += row[one.first + k] * row[one.first + k];
+                found = found < 0 ? square : best(found, square);
+            }
+            return std::sqrt(found);
+        }));
+        facts.back().quantity = Quantity::unknown;
+    };
+    add(length_of_shortest, [](double a, double b) { return std::min(a, b); });
+    add(length_of_longest, [](double a, double b) { return std::max(a, b); });
+}
+
+}
+
+void add_sizes(const QuestionTable& table, const std::vector<VectorColumns>& vectors, std::vector<Fact>& facts)
+{
+    const std::vector<std::size_t> plain = plain_numbers(table, vectors);
+    for (const std::size_t i : plain)
+        if (have_both_signs(table, i))
+            add_size(
+                table.names[i], table, [i](const auto& row) { return row[i]; }, facts);
+    add_differences(table, vectors, plain, facts);
+    add_shortest_and_longest(table, vectors, facts);
+}
+
+}
