@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Options, as of the compiler, in the order of MutantFamily.
-constexpr std::array<const char*, 4> families{"", "--slips", "--repairs", "--idle"};
+constexpr std::array<const char*, 5> families{"", "--slips", "--repairs", "--idle", "--echo"};
 
 class Deadline {
 public:

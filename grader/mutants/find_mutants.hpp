@@ -25,6 +25,9 @@ namespace umbral::grader {
 /// Every function returns at once, with nothing. Those that make an object have to give one.
 [[nodiscard]] std::vector<Mutant> find_idle(const Syntax& syntax);
 
+/// The same, but with the first argument of the type that is returned, of matrices with the identity if there is none.
+[[nodiscard]] std::vector<Mutant> find_echo(const Syntax& syntax);
+
 /// An early return from a function with this body.
 [[nodiscard]] Mutant early_return(const Node& function, const Node& body);
 

@@ -15,15 +15,15 @@ double points(Millipoints value) { return static_cast<double>(value) / 1000; }
 
 }
 
-IdleUnit try_idle(Worker& worker, const std::filesystem::path& finder, const Exercise& exercise, unsigned seed)
+IdleUnit try_idle(Worker& worker, const std::filesystem::path& finder, const Exercise& exercise, unsigned seed,
+                  MutantFamily family)
 {
     IdleUnit idle{exercise.id, 0, {}};
     try {
         const Toolchain& tools = worker.tools();
         const std::filesystem::path source = reference_files(tools.reference, exercise).begin()->second;
         const ScratchFolder work(tools.cache);
-        const BuiltMutants built =
-            build_mutants(tools, exercise, MutantFamily::idle, finder, read_text(source), work.path());
+        const BuiltMutants built = build_mutants(tools, exercise, family, finder, read_text(source), work.path());
         GradeOptions options;
         options.seeds = validation_seeds(seed);
         options.explain = options.questions = false;

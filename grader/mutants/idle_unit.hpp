@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mutants/mutant.hpp"
 #include "worker/worker.hpp"
 
 namespace umbral::grader {
@@ -20,9 +21,9 @@ struct IdleUnit {
     static constexpr double most_credit = 2;
 };
 
-/// Grades the unit's reference, in which every function returns at once, with the inputs of one seed. `finder`:
-/// umbral-mutate.
+/// Grades the unit's reference, in which every function returns at once, with the inputs of one seed: with nothing, or,
+/// of the family echo, with what it was given. `finder`: umbral-mutate.
 [[nodiscard]] IdleUnit try_idle(Worker& worker, const std::filesystem::path& finder, const Exercise& exercise,
-                                unsigned seed);
+                                unsigned seed, MutantFamily family = MutantFamily::idle);
 
 }

@@ -11,7 +11,8 @@ enum class MutantFamily {
     syntax,   ///< one sign of the language after the other
     slips,    ///< what students write instead
     repairs,  ///< what may mend a student's own work
-    idle      ///< functions that return at once
+    idle,     ///< functions that return at once, with nothing
+    echo      ///< … with what they were given
 };
 
 /// A small change of a source, a reference's or a student's, made at run time where the run is given its number.

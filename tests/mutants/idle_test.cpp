@@ -25,5 +25,21 @@ TEST(Idle, program_earns_what_checks_hang_on_no_other)
     EXPECT_EQ(alone.earning.back(), "state/state 1.00 of 1.00");
 }
 
+// Who gives back each vector keeps its length, and each product of two.
+TEST(Idle, program_that_gives_back_what_it_was_given_keeps_lengths)
+{
+    const Workbench bench;
+    Worker worker(bench.tools());
+    const std::filesystem::path finder = bench.tools().programs / "umbral-mutate";
+    if (!std::filesystem::exists(finder))
+        GTEST_SKIP() << "NO MUTANTS: umbral-mutate was not built, for lack of libclang";
+    Exercise unit = bench.exercise("transforms/rotation-identities");
+    const IdleUnit echo = try_idle(worker, finder, unit, 0, MutantFamily::echo);
+    EXPECT_EQ(echo.trouble, "");
+    EXPECT_TRUE(echo.holds()) << echo.credit;
+    for (Check& check : unit.checks) check.with.clear();
+    EXPECT_FALSE(try_idle(worker, finder, unit, 0, MutantFamily::echo).holds());
+}
+
 }
 }

@@ -23,16 +23,19 @@ void validate_idle(Application& application, const std::vector<std::string>& uni
     std::mutex mutex;
     std::size_t earning = 0;
     Crew(application.tools, jobs).share_out(exercises.size(), [&](Worker& worker, std::size_t index) {
-        const IdleUnit idle = try_idle(worker, finder, exercises[index], 0);
-        const std::lock_guard lock(mutex);
-        earning += idle.holds() ? 0 : 1;
-        if (quiet && idle.holds()) return;
-        fmt::print("{:<32} {:5.1f} % {}\n", idle.unit, idle.credit, paint.safe(idle.trouble));
-        for (const std::string& check : idle.earning) fmt::print("    {}\n", check);
-        (void)std::fflush(stdout);
+        for (const auto& [family, gives] : {std::pair(MutantFamily::idle, "gives nothing"),
+                                            std::pair(MutantFamily::echo, "gives back what it was given")}) {
+            const IdleUnit idle = try_idle(worker, finder, exercises[index], 0, family);
+            const std::lock_guard lock(mutex);
+            earning += idle.holds() ? 0 : 1;
+            if (quiet && idle.holds()) continue;
+            fmt::print("{:<32} {:<28} {:5.1f} % {}\n", idle.unit, gives, idle.credit, paint.safe(idle.trouble));
+            for (const std::string& check : idle.earning) fmt::print("    {}\n", check);
+            (void)std::fflush(stdout);
+        }
     });
-    fmt::print("{} units, in {} of them a program that does nothing earns more than {:g} % of the points\n",
-               exercises.size(), earning, IdleUnit::most_credit);
+    fmt::print("{} units; {} programs that do nothing earn more than {:g} % of the points\n", exercises.size(), earning,
+               IdleUnit::most_credit);
     if (earning > 0) application.exit_status = exit_not_right;
 }
 

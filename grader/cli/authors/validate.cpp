@@ -132,7 +132,8 @@ void add_validate(Command command, Application& application)
     command.flag("--slips", options->slips,
                  "Instead: what students write by a slip in each reference (another component, variable or order, a "
                  "tolerance, a kept answer) must lose points");
-    command.flag("--idle", options->idle, "Instead: a program whose functions do nothing must earn nothing");
+    command.flag("--idle", options->idle,
+                 "Instead: a program whose functions do nothing, or give back what they are given, must earn nothing");
     command.flag(
         "--gaps", options->gaps,
         "Instead: print what the functions are never asked: numbers that are never 0, arguments that are never "
