@@ -3,6 +3,7 @@
 
 #include "../highlights.hpp"
 #include "rack.hpp"
+#include "scenes.hpp"
 
 namespace umbral {
 namespace {
@@ -29,6 +30,13 @@ void by_hand(Variation& vary, Recorder& out)
         out.append("mirrored", ask<mirrored_direction>(out, map.place(l), map.place(normal)));
     }
     for (const Glance& glance : glances_by_hand(vary)) record(out, glance);
+    // Exponents below 1: of the cosines 0.8 and 0.28 they make larger numbers.
+    for (const float written : {0.5F, 0.25F})
+        for (const float place : {0.0F, 0.6F}) {
+            const ExactMap map = vary.exact_map(0);
+            const glm::vec3 v = place == 0 ? glm::vec3(0, 0, 1) : glm::vec3(0, 0.6F, 0.8F);
+            record(out, {map.place({0, 0, 1}), map.place({0, 0.6F, 0.8F}), map.place(v), vary.scaled(written, 1.5F)});
+        }
 
     for (const Shine& shine : shines_by_hand(vary, 2)) record(out, shine);
 }
@@ -37,8 +45,14 @@ void at_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
         const glm::vec3 l = random.uniform(0.5F, 3) * random.unit_vector();
-        out.append("mirrored", ask<mirrored_direction>(out, l, random.unit_vector()));
-        record(out, random_glance(random, 1, 40));
+        const Glance glance = i % 4 == 1   ? wide_glance(random)
+                              : i % 8 == 3 ? flat_glance(random)
+                                           : random_glance(random, 1, 40);
+        // Coordinates that are 0 stand beside others here, too.
+        out.append("mirrored", i % 8 == 3 ? ask<mirrored_direction>(out, glance.l, glance.normal)
+                                          : ask<mirrored_direction>(out, l, random.unit_vector()));
+        record(out, glance);
+        if (i % 5 == 0) record(out, {glance.normal, glance.l, glance.v, 0.5F * glance.e});
         const Shine shine = random_shine(random);
         record(out, shine);
         if (i % 5 != 0) continue;
@@ -63,7 +77,21 @@ void lengths(Random& random, Recorder& out)
         const Glance glance = with_another_length(random, random_glance(random, 1, 40), i);
         record(out, glance);
         out.append("mirrored", ask<mirrored_direction>(out, glance.l, glance.normal));
+        // A mirror's normal says more by its length than a highlight's does: here it is short or long in every row.
+        const float doublings = (i % 3 == 0 ? 1.0F : -1.0F) * random.uniform(20, 40);
+        const glm::vec3 normal = std::exp2(doublings) * random.unit_vector();
+        out.append("mirrored", ask<mirrored_direction>(out, glance.l, normal));
     }
+}
+
+// Materials, lights and exponents of all kinds, each kind in an eighth of the rows or more; one eye sees several
+// points.
+void scenes(Random& random, Recorder& out)
+{
+    std::vector<std::uint32_t> kinds;
+    for (std::uint32_t i = 0; i < 48; ++i) kinds.push_back(i);
+    for (const std::uint32_t kind : in_random_order(random, kinds))
+        for (const Shine& shine : scene_of_any_kind(random, kind)) record(out, shine);
 }
 
 // Pairs of a question with a null vector and the same one without.
@@ -132,6 +160,7 @@ const Driver driver = {
     {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
     {"behind", [](Case& c, Recorder& out) { behind(c.random, out); }},
     {"lengths", [](Case& c, Recorder& out) { lengths(c.random, out); }},
+    {"scenes", [](Case& c, Recorder& out) { scenes(c.random, out); }},
     {"degenerate", [](Case& c, Recorder& out) { degenerate(c.random, out); }},
     {"bright", [](Case& c, Recorder& out) { bright(c.random, out); }},
     {"laws", [](Case& c, Recorder& out) { record_laws(c.random, out); }},

@@ -8,6 +8,7 @@
 #include <umbral/record/driver.hpp>
 
 #include "../show.hpp"
+#include "lengths.hpp"
 #include "voxels.hpp"
 
 namespace umbral {
@@ -102,18 +103,24 @@ void record_size(Recorder& out, const Shape& shape)
                glm::vec2(static_cast<float>(mesh.positions.size()), static_cast<float>(mesh.triangles.size())));
 }
 
-// Pairs of a shape that there is and one that there is not.
+// Pairs of a shape that there is and one that there is not. Half of the first are the smallest of their kind.
 void record_sizes(Random& random, Recorder& out)
 {
     const std::uint32_t many = 3 + random.below(400);
     const Shape none[] = {{false, 0, many},    {false, many + 1, 0}, {true, 2, many + 2}, {true, many + 3, 1},
                           {true, 0, many + 4}, {false, 0, 0},        {true, 1, many + 5}, {true, many + 6, 0}};
-    for (const Shape& empty : none) {
+    const std::uint32_t few = 4 + random.below(20);
+    const std::vector<Shape> smallest = {{true, 3, 2},  {true, 4, 2}, {true, few, 2},  {true, 3, few},
+                                         {false, 1, 1}, {true, 3, 2}, {false, few, 1}, {true, 3, 2}};
+    for (const Shape& small : in_random_order(random, smallest)) {
         const std::uint32_t columns = 3 + random.below(60);
-        const Shape some{random.below(2) == 0, columns, 2 + random.below(60)};
-        const bool swapped = random.below(2) == 0;
-        record_size(out, swapped ? some : empty);
-        record_size(out, swapped ? empty : some);
+        const Shape usual{random.below(2) == 0, columns, 2 + random.below(60)};
+        for (const Shape& some : {small, usual}) {
+            const Shape& empty = none[random.below(8)];
+            const bool swapped = random.below(2) == 0;
+            record_size(out, swapped ? some : empty);
+            record_size(out, swapped ? empty : some);
+        }
     }
 }
 
@@ -138,14 +145,15 @@ void record_large_ball(Random& random, Recorder& out)
 
 void record_voxels(Variation& vary, Recorder& out)
 {
-    out.columns("sizes", "bytes, last byte");
+    // A single voxel too many or too few is one byte of many: how many are filled tells all balls with one apart.
+    out.columns("sizes", "bytes, last byte, filled voxels");
     std::vector sides{1U, 2U, 3U, 4U, 5U, 8U, 11U, 16U, 20U};
     Random* const random = vary.random();
     if (random != nullptr)
         for (std::uint32_t& side : sides) side = 6 + random->below(195);
     for (const std::uint32_t k : sides) {
         const std::vector<std::uint8_t> bytes = ask<make_voxel_sphere>(out, k);
-        out.append("sizes", glm::vec2(bytes.size(), bytes.empty() ? NAN : bytes.back()));
+        out.append("sizes", glm::vec3(bytes.size(), bytes.empty() ? NAN : bytes.back(), filled(bytes, k)));
         if (random != nullptr)
             record_surface(*random, out, "bytes", k, bytes);
         else
@@ -156,11 +164,11 @@ void record_voxels(Variation& vary, Recorder& out)
 void record_border(Variation& vary, Random& random, Recorder& out)
 {
     for (const std::uint32_t written :
-         {200U, 5000U, 65'536U, 1'000'001U, 100'000'000U, 400'000'003U, 900'000'001U, 1'073'741'824U}) {
+         {24U, 200U, 5000U, 65'536U, 1'000'001U, 100'000'000U, 400'000'003U, 900'000'001U, 1'073'741'824U}) {
         Random* const other = vary.random();
         const std::uint32_t k = other != nullptr ? written - other->below(written / 10) : written;
         for (int i = 0; i < 40; ++i) {
-            const auto [inside, outside] = border_voxels(random, k, i % 2 == 0);
+            const auto [inside, outside] = i % 4 == 1 ? layer_voxels(random, k) : border_voxels(random, k, i % 2 == 0);
             const bool swapped = random.below(2) == 0;
             out.append("inside", ask<voxel_is_inside>(out, k, swapped ? outside : inside));
             out.append("inside", ask<voxel_is_inside>(out, k, swapped ? inside : outside));
@@ -168,21 +176,21 @@ void record_border(Variation& vary, Random& random, Recorder& out)
     }
 }
 
-// Of all lengths of a row, since there are some by whose reciprocal one may multiply unpunished.
+// Of several lengths of a row. Of grids most places are where floats are largest, and their last digits, too.
 void record_fine(Random& random, Recorder& out)
 {
-    const auto many = [&] { return 200'000 + random.below(100'000); };
     std::vector<Shape> shapes = {{true, 20'000 + random.below(1000), 18 + random.below(3)},
                                  {true, 3, 90'000 + random.below(10'000)},
                                  {true, 350 + random.below(20), 700 + random.below(40)}};
     for (int i = 0; i < 2; ++i) {
-        shapes.push_back({false, many(), 1});
-        shapes.push_back({false, 1, many()});
+        shapes.push_back({false, awkward_length(random), 1});
+        shapes.push_back({false, 1, awkward_length(random)});
     }
     for (const Shape& shape : shapes) {
         const IndexedMesh mesh = shape.make(out);
         for (int i = 0; i < 200; ++i) {
-            const std::size_t place = random.below(static_cast<std::uint32_t>(shape.vertices()));
+            auto place = random.below(static_cast<std::uint32_t>(shape.vertices()));
+            if (!shape.sphere && i % 4 != 0) place = static_cast<std::uint32_t>(shape.vertices()) - 1 - place / 3;
             out.append(shape.sphere ? "sphere" : "grid", row_of(mesh.positions, place));
         }
     }

@@ -45,6 +45,42 @@ inline IndexedMesh surface(const std::vector<std::uint8_t>& bytes, int k)
     return mesh;
 }
 
+/// How many bits of the k³ are 1; bytes that are missing count as 0.
+inline float filled(const std::vector<std::uint8_t>& bytes, std::uint32_t k)
+{
+    const std::size_t all = (std::size_t{k} * k * k + 7) / 8;
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < std::min(all, bytes.size()); ++i)
+        for (unsigned bits = bytes[i]; bits != 0; bits &= bits - 1) ++count;
+    return static_cast<float>(count);
+}
+
+/// A voxel inside the ball and the next one, outside, in the outermost layer of the cube, where one coordinate is 0 or
+/// k - 1: the ball touches it in the middle.
+inline std::pair<glm::uvec3, glm::uvec3> layer_voxels(Random& random, std::uint32_t k)
+{
+    const auto side = static_cast<std::int64_t>(k);
+    // Twice the centre: the layer is k - 1 away, and x² + y² may be at most k² - (k - 1)².
+    const std::int64_t rest = 2 * side - 1;
+    const std::int64_t parity = (side + 1) % 2;
+    const auto most = static_cast<std::int64_t>(0.7 * std::sqrt(static_cast<double>(rest))) / 2;
+    const std::int64_t y = parity + 2 * (most > 0 ? random.below(static_cast<std::uint32_t>(most)) : 0);
+    std::int64_t x = parity;
+    while ((x + 2) * (x + 2) + y * y <= rest) x += 2;
+    const std::uint32_t turn = random.below(3);
+    const std::uint32_t mirrored = random.below(8);
+    const auto voxel = [&](std::int64_t across) {
+        const std::int64_t centre[] = {side - 1, y, across};
+        glm::uvec3 cell(0);
+        for (std::uint32_t axis = 0; axis < 3; ++axis) {
+            const std::int64_t half = (mirrored >> axis & 1U) != 0 ? -centre[axis] : centre[axis];
+            cell[static_cast<int>((axis + turn) % 3)] = static_cast<std::uint32_t>((half + side - 1) / 2);
+        }
+        return cell;
+    };
+    return {voxel(x), voxel(x + 2)};
+}
+
 /// A voxel inside the ball of k voxels across and the next one along an axis, which is outside: of 2000 tries, the two
 /// that hang on the least. The centres' coordinates are counted in half voxels. If `level`, the surface runs almost
 /// along that axis there, so that it can hang on very little.

@@ -5,6 +5,7 @@
 #include "../support.hpp"
 #include "chords.hpp"
 #include "segments.hpp"
+#include "special.hpp"
 
 namespace umbral {
 namespace {
@@ -40,10 +41,17 @@ std::vector<Task> varied(Variation& vary, std::vector<Task> tasks)
     return in_random_order(vary, std::move(tasks));
 }
 
-// All nine regions, the borders between them, and places one ulp beside those.
+// All nine regions, the borders between them, and places one ulp beside those. Two windows are as large as floats are,
+// so that no float holds the sum of their borders.
 void record_codes(Variation& vary, Recorder& out)
 {
-    for (ClipWindow window : {ClipWindow{{-1, -1}, {1, 1}}, {{0, 2}, {4, 3}}, {{100, -7}, {101, -5}}}) {
+    for (ClipWindow window : {ClipWindow{{-1, -1}, {1, 1}},
+                              {{0, 2}, {4, 3}},
+                              {{100, -7}, {101, -5}},
+                              {{-3e38F, 1.75e38F}, {-2e38F, 2.5e38F}},
+                              {{1.8e38F, -3.2e38F}, {2.75e38F, -1.75e38F}}}) {
+        const float size = window.high.y < 1e30F && window.low.y > -1e30F ? 1.0F : vary.near(1.0F, 0.05F);
+        window = {size * window.low, size * window.high};
         const glm::vec2 shift = vary.near(glm::vec2(0), 3.0F);
         window = {window.low + shift, window.high + shift};
         const auto places = [](float low, float high) {
@@ -52,7 +60,7 @@ void record_codes(Variation& vary, Recorder& out)
                               std::nextafter(low, -infinity),
                               low,
                               std::nextafter(low, infinity),
-                              0.5F * (low + high),
+                              0.5F * low + 0.5F * high,
                               std::nextafter(high, -infinity),
                               high,
                               std::nextafter(high, infinity),
@@ -63,6 +71,16 @@ void record_codes(Variation& vary, Recorder& out)
             for (const float x : places(window.low.x, window.high.x)) points.emplace_back(x, y);
         for (const glm::vec2& point : in_random_order(vary, points))
             out.append("codes", std::uint32_t{ask<region_code>(out, window, point)});
+    }
+}
+
+// A point in one window after the other: what was found in the last one says nothing.
+void record_codes_in_turn(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const glm::vec2 point = 2.0F * glm::vec2(random.in_cube());
+        for (int k = 0; k < 3; ++k)
+            out.append("codes", std::uint32_t{ask<region_code>(out, random_window(random), point)});
     }
 }
 
@@ -165,12 +183,19 @@ void record_both_ways(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"codes", [](Case& c, Recorder& out) { record_codes(c.vary, out); }},
+    {"codes",
+     [](Case& c, Recorder& out) {
+         record_codes(c.vary, out);
+         record_codes_in_turn(c.random, out);
+     }},
     {"by hand", [](Case& c, Recorder& out) { record(out, varied(c.vary, by_hand())); }},
     {"borders", [](Case& c, Recorder& out) { record(out, varied(c.vary, borders())); }},
     {"random", [](Case& c, Recorder& out) { record(out, random_pairs(c.random, 400, 6)); }},
+    {"thin", [](Case& c, Recorder& out) { record(out, thin_pairs(c.random, 160)); }},
+    {"nonsense", [](Case& c, Recorder& out) { record(out, nonsense_pairs(c.random)); }},
     {"both ways", [](Case& c, Recorder& out) { record_both_ways(c.random, out); }},
     {"long", [](Case& c, Recorder& out) { record(out, some_huge(random_pairs(c.random, 300, 5e5F, -90, 90))); }},
+    {"huge", [](Case& c, Recorder& out) { record(out, huge_pairs(c.random, 100)); }},
     {"corners",
      [](Case& c, Recorder& out) {
          record(out, corner_pairs(c.random, 300));

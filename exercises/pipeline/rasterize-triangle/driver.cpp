@@ -2,6 +2,7 @@
 #include <limits>
 #include <umbral/record/driver.hpp>
 
+#include "far_off.hpp"
 #include "scene.hpp"
 
 namespace umbral {
@@ -32,8 +33,11 @@ std::vector<Triangle> by_hand()
         triangle({0, 7.5F}, {8, 7.5F}, {4, 5.5F}),                // a bottom one, neither
         triangle({0.5F, 0.5F}, {0.5F + 1.0F / 256, 0.5F}, {0.5F, 0.5F + 1.0F / 256}),  // the least that there is
         triangle({1, 1}, {7, 2}, {2, 7}),
+        triangle({1, 1}, {6, 2}, {2, 6}),
     };
-    for (WindowVertex& vertex : triangles.back()) vertex.inverse_w *= 0x1p-40F;  // far away, in small units
+    const std::size_t last = triangles.size() - 1;
+    for (WindowVertex& vertex : triangles[last - 1]) vertex.inverse_w *= 0x1p-40F;  // far away, in small units
+    for (WindowVertex& vertex : triangles[last]) vertex.inverse_w *= 0x1p40F;       // near, in large ones
     return triangles;
 }
 
@@ -68,13 +72,6 @@ std::vector<Triangle> random_triangles(Random& random, int count, int width, int
         const float unit = i % 8 == 3 ? random_unit(random, -60, 60) : 1;
         for (WindowVertex& vertex : triangles.back()) vertex.inverse_w *= unit;
     }
-    return triangles;
-}
-
-std::vector<Triangle> with_attributes(Random& random, const std::vector<std::array<glm::vec2, 3>>& corners)
-{
-    std::vector<Triangle> triangles;
-    for (const std::array<glm::vec2, 3>& positions : corners) triangles.push_back(random_attributes(random, positions));
     return triangles;
 }
 
@@ -199,26 +196,6 @@ void needles(Random& random, Recorder& out)
     out.text("coverage.names", "group of needles");
 }
 
-// Ground seen from just above it: w from 1 at corners far outside the picture to 1000 at the horizon inside it.
-void horizon(Random& random, Recorder& out)
-{
-    std::vector<Triangle> triangles;
-    for (int i = 0; i < 12; ++i) {
-        const float left = on_grid(random, -16000, -8000, 256);
-        const float right = on_grid(random, 8000, 16000, 256);
-        const float below = on_grid(random, 8000, 16000, 256);
-        const float x = on_grid(random, 4, 36, 256);
-        const glm::vec2 vanishing(x, on_grid(random, 0, 4, 256));
-        const float near = random.uniform(1, 2);
-        const float far = random.uniform(500, 1000);
-        Triangle ground = {
-            WindowVertex{{left, below}, 0, 1 / near}, {{right, below + 3}, 0, 1 / near}, {vanishing, 0.999F, 1 / far}};
-        std::rotate(ground.begin(), ground.begin() + i % 3, ground.end());
-        triangles.push_back(ground);
-    }
-    record(out, triangles, 40, 24, true);
-}
-
 void cover(Recorder& out, std::string_view name, const std::vector<Triangle>& triangles, std::size_t together)
 {
     std::vector<Fragment> fragments;
@@ -289,8 +266,9 @@ const Driver driver = {
     {"nothing", [](Case& c, Recorder& out) { record_nothing(c.random, out); }},
     {"between grid points", [](Case& c, Recorder& out) { record(out, unrounded(c.random), 24, 24, false); }},
     {"guard band", [](Case& c, Recorder& out) { guard_band(c.random, out); }},
+    {"border of the band", [](Case& c, Recorder& out) { record(out, on_the_border(c.random), 24, 24, false); }},
     {"needles", [](Case& c, Recorder& out) { needles(c.random, out); }},
-    {"horizon", [](Case& c, Recorder& out) { horizon(c.random, out); }},
+    {"horizon", [](Case& c, Recorder& out) { record(out, horizon(c.random), 40, 24, true); }},
     {"list", [](Case& c, Recorder& out) { record_list(c.random, out); }},
     {"laws", [](Case& c, Recorder& out) { laws(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { record_picture(c.vary, out); }},

@@ -19,6 +19,19 @@ inline double any_real(Random& random, ComponentType type, bool is_near)
     return std::pow(10.0, exponent) * (random.uniform_double() - 0.5);
 }
 
+/// Too small for a float to hold with all its digits.
+inline double subnormal(Random& random)
+{
+    const double digits = 1 + random.below((1U << 23U) - 2);
+    return (random.below(2) == 0 ? -1 : 1) * std::ldexp(digits, -149);
+}
+
+/// Larger than every float.
+inline double beyond_floats(Random& random)
+{
+    return (random.below(2) == 0 ? -1 : 1) * std::pow(10.0, 39 + 260 * random.uniform_double());
+}
+
 inline double not_finite(Random& random)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -47,8 +60,11 @@ inline void record_fetched(Random& random, Recorder& out, const VertexAttribute&
         for (std::uint64_t i = 0; i < attribute.components; ++i) {
             const std::uint64_t place = offset + vertex * stride + i * size;
             const std::uint32_t whole = vertex == 0 ? std::numeric_limits<std::uint32_t>::max() : random.bits();
-            const double real =
-                vertex > 5 && i % 2 == 0 ? not_finite(random) : any_real(random, attribute.type, vertex % 2 == 0);
+            const double real = vertex > 5 && i % 2 == 0 ? not_finite(random)
+                                : vertex == 3            ? subnormal(random)
+                                : vertex == 1 && attribute.type == ComponentType::float64
+                                    ? beyond_floats(random)
+                                    : any_real(random, attribute.type, vertex % 2 == 0);
             switch (attribute.type) {
                 case ComponentType::unsigned_byte: put(buffer, place, static_cast<std::uint8_t>(whole)); break;
                 case ComponentType::unsigned_short: put(buffer, place, static_cast<std::uint16_t>(whole)); break;

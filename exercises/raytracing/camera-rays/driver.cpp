@@ -3,7 +3,8 @@
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
-#include "../rays.hpp"
+#include "cameras.hpp"
+#include "lights.hpp"
 #include "saturn.hpp"
 
 namespace umbral {
@@ -15,28 +16,6 @@ void record_direction(Recorder& out, const PrimaryCamera& camera, int width, int
                       std::string_view name = "direction")
 {
     out.append(name, ask<primary_ray>(out, camera, width, height, place).direction);
-}
-
-/// A camera that looks at a place in its surroundings, upright or not.
-PrimaryCamera random_camera(Random& random, const glm::vec3& place, float distance)
-{
-    PrimaryCamera camera;
-    camera.eye = place;
-    const glm::dvec3 view = normalize(glm::dvec3(random.unit_vector()));
-    camera.target = glm::vec3(glm::dvec3(place) + double{distance} * view);
-    const double along = random.uniform(-0.9F, 0.9F);
-    camera.up = glm::vec3(along * view + std::sqrt(1 - along * along) * perpendicular_to(view, random));
-    camera.fovy = random.uniform(0.3F, 2);
-    return camera;
-}
-
-// One in four lies outside the picture.
-glm::vec2 random_place(Random& random, int width, int height)
-{
-    const glm::vec2 size(width, height);
-    const float x = random.uniform();
-    const glm::vec2 place = glm::vec2(x, random.uniform()) * size;
-    return random.below(4) == 0 ? 2.0F * place - 0.5F * size : place;
 }
 
 void record_by_hand(Variation& vary, Recorder& out)
@@ -61,48 +40,39 @@ void record_by_hand(Variation& vary, Recorder& out)
             record(camera, 4, 2, place);
 }
 
-// Targets right before the eye and far away: how far is no part of the answer.
+// Targets right before the eye and far away: how far is no part of the answer. Of four cameras one is in a tiny world,
+// and one stands nearly or exactly upright.
 void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 200; ++i) {
-        const PrimaryCamera camera =
-            random_camera(random, 5.0F * random.in_cube(), std::pow(10.0F, random.uniform(-3, 3)));
+        const float distance = power_of_ten(random, i % 4 == 0 ? -9.0F : -3.0F, i % 4 == 0 ? -3.0F : 3.0F);
+        const float reach = i % 4 == 0 ? 100 * distance : 5.0F;
+        const PrimaryCamera camera = i % 4 == 2 ? upright_camera(random, reach, distance)
+                                                : random_camera(random, reach * random.in_cube(), distance);
         const int width = 1 + static_cast<int>(random.below(800));
         const int height = std::max(1, width * 3 / static_cast<int>(2 + random.below(5)));
         record_direction(out, camera, width, height, random_place(random, width, height));
     }
 }
 
-// Pictures of all shapes, and fields of view from narrow to very wide, at what is near and far.
+// Pictures of all shapes, and fields of view from narrow to the widest that there is, at what is near and far. Each
+// camera is asked for the same place of two pictures of other heights.
 void record_shapes(Random& random, Recorder& out)
 {
-    const glm::ivec2 sizes[] = {{1, 1}, {7, 3}, {3, 8}, {1, 500}, {500, 1}, {1920, 1080}, {1281, 721}, {6, 4}};
-    for (int i = 0; i < 80; ++i) {
-        PrimaryCamera camera = random_camera(random, random.in_cube(), std::pow(10.0F, random.uniform(-3, 3)));
-        camera.fovy = i % 2 == 0 ? random.uniform(0.05F, 0.4F) : random.uniform(1.6F, 2.97F);
+    const glm::ivec2 sizes[] = {{1, 1}, {7, 3}, {3, 8}, {1, 500}, {500, 1}, {1920, 1080}, {1281, 721}, {20000, 15000}};
+    for (int i = 0; i < 48; ++i) {
+        PrimaryCamera camera = random_camera(random, random.in_cube(), power_of_ten(random, -6, 3));
+        const float wide = i % 3 == 1 ? random.uniform(1.6F, 2.97F) : random.uniform(2.97F, 3);
+        camera.fovy = i % 3 == 0 ? random.uniform(0.05F, 0.4F) : i % 12 == 2 ? 3.0F : wide;
         const glm::ivec2 size = sizes[i % 8];
-        record_direction(out, camera, size.x, size.y, random_place(random, size.x, size.y));
+        const glm::vec2 place = random_place(random, size.x, size.y);
+        record_direction(out, camera, size.x, size.y, place);
+        record_direction(out, camera, size.x, size.y + 1 + static_cast<int>(random.below(7)), place);
     }
 }
 
-// Looks along an axis, with an up vector that leans by 0.001 to 0.05 from it: its products with the view are exact.
-PrimaryCamera steep_camera(Random& random, int axis)
-{
-    glm::vec3 view(0);
-    view[axis] = random.below(2) == 0 ? 1.0F : -1.0F;
-    PrimaryCamera camera;
-    camera.eye = glm::vec3(random.below(9), random.below(9), random.below(9));
-    camera.target = camera.eye + 2.0F * view;
-    camera.up = random.below(2) == 0 ? view : -view;
-    const float lean = std::pow(10.0F, random.uniform(-2.9F, -1.3F));
-    const float angle = random.uniform(0, 6.28F);
-    camera.up[(axis + 1) % 3] = lean * std::cos(angle);
-    camera.up[(axis + 2) % 3] = lean * std::sin(angle);
-    camera.fovy = random.uniform(0.3F, 2);
-    return camera;
-}
-
-// What is up: of any length, oblique, and nearly along the view. Every fourth camera is the one before, rolled.
+// What is up: of any length, oblique, nearly along the view, and nearly or exactly an axis. Every fourth camera is the
+// one before, rolled.
 void record_up(Random& random, Recorder& out)
 {
     PrimaryCamera before;
@@ -112,8 +82,9 @@ void record_up(Random& random, Recorder& out)
         before = camera;
         const glm::dvec3 view = normalize(glm::dvec3(camera.target) - glm::dvec3(camera.eye));
         const double side = random.below(2) == 0 ? 1 : -1;
-        const double lean = i % 2 == 0 ? random.uniform(0.05F, 0.3F) : 1.0;
+        const double lean = i % 4 == 0 ? random.uniform(0.05F, 0.3F) : 1.0;
         camera.up = glm::vec3(side * view + lean * perpendicular_to(view, random));
+        if (i % 4 == 2) camera = upright_camera(random, 3, 2);
         if (i % 4 == 3) camera = steep_camera(random, i / 4 % 3);
         camera.up *= std::pow(10.0F, random.uniform(-12, 12));
         record_direction(out, camera, 64, 48, random_place(random, 64, 48));
@@ -165,45 +136,31 @@ void record_samples(Random& random, Recorder& out)
     record(3, 5, 2);
     record(7, 1, 9);
     record(0, 6, 16);
-    for (int i = 0; i < 12; ++i)
-        record(static_cast<int>(random.below(1280)) - 640, static_cast<int>(random.below(480)), 1 + i % 5);
+    // Pixels above and left of the picture too; then the next one of the row, and the same one cut once more.
+    for (int i = 0; i < 8; ++i) {
+        const int x = static_cast<int>(random.below(1280)) - 640;
+        const int y = static_cast<int>(random.below(960)) - 480;
+        const int n = 1 + i % 4;
+        record(x, y, n);
+        record(x + 1, y, n);
+        record(x + 1, y, n + 1);
+    }
 }
 
-// Light as bright as the sun beside a lamp's, the same everywhere: the mean is this light.
-void record_sun(Recorder& out)
+// More samples than a byte can count, far right and far down in large pictures: what is added up step by step in float
+// has drifted there.
+void record_fine_grid(Random& random, Recorder& out)
 {
-    const glm::vec3 sun(65'536, 20'000, 1.25F);
-    ask_in_words(out, [] { return "render_picture(camera, 3, 2, 4, light of {65536, 20000, 1.25} everywhere)"; });
-    const Grid<glm::vec3> picture = render_picture({}, 3, 2, 4, [&](const Ray&) { return sun; });
-    for (int y = 0; y < 2; ++y)
-        for (int x = 0; x < 3; ++x)
-            for (int channel = 0; channel < 3; ++channel)
-                out.append("sun", picture.contains(x, y) ? picture.at(x, y)[channel] : not_a_number);
-}
-
-// A small picture of light that changes fast within a pixel, so that each sample counts; or, `with_dark`, is 0 along
-// many rays, for some or all channels. `kind`: width, height and n.
-void record_waves(Recorder& out, const PrimaryCamera& camera, const glm::ivec3& kind, const glm::vec3& waves,
-                  bool with_dark)
-{
-    std::uint32_t asked = 0;
-    const LightAlongRay light_along = [&](const Ray& ray) {
-        ++asked;
-        const glm::vec3 d = ray.direction + 0.1F * (ray.origin - camera.eye);
-        if (with_dark) return 4.0F * max(glm::vec3(0), sin(glm::vec3(0, 0.5F, 1) + dot(waves, d)));
-        return glm::vec3(4 + 4 * std::sin(dot(waves, d)), 0.5F + 0.5F * d.x, std::exp(2 * d.y));
-    };
-    ask_in_words(out, [&] {
-        return "render_picture(camera, " + std::to_string(kind.x) + ", " + std::to_string(kind.y) + ", " +
-               std::to_string(kind.z) + (with_dark ? ", waves with darkness between them)" : ", waves)");
-    });
-    const Grid<glm::vec3> picture = render_picture(camera, kind.x, kind.y, kind.z, light_along);
-    out.columns("size", "width, height");
-    out.append("size", glm::vec2(picture.width, picture.height));
-    out.append("rays", asked);
-    for (int y = 0; y < kind.y; ++y)
-        for (int x = 0; x < kind.x; ++x)
-            out.append("light", picture.contains(x, y) ? picture.at(x, y) : glm::vec3(not_a_number));
+    for (int i = 0; i < 8; ++i) {
+        // No multiples of 4, of which the parts are short binary fractions that add up exactly.
+        const int n =
+            4 * (5 + static_cast<int>(random.below(i % 2 == 0 ? 3 : 10))) + 1 + static_cast<int>(random.below(3));
+        const int x = (i % 4 < 2 ? 4000 : 0) + static_cast<int>(random.below(4000));
+        const int y = (i % 4 < 2 ? 0 : 4000) + static_cast<int>(random.below(4000));
+        const std::vector<glm::vec2> places = ask<pixel_samples>(out, x, y, n);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(n) * static_cast<std::size_t>(n); ++k)
+            out.append("place", k < places.size() ? places[k] : glm::vec2(not_a_number));
+    }
 }
 
 // Each camera is asked again with other light, and with other samples of the same.
@@ -212,12 +169,27 @@ void record_rendered(Random& random, Recorder& out)
     const glm::ivec3 kinds[] = {{1, 1, 1}, {5, 3, 1}, {3, 4, 2}, {4, 2, 3}, {2, 2, 5}, {6, 1, 4}, {1, 2, 9}};
     for (const glm::ivec3& kind : kinds) {
         const PrimaryCamera camera = random_camera(random, 2.0F * random.in_cube(), 3);
-        record_waves(out, camera, kind, 25.0F * random.unit_vector(), false);
+        record_light(out, camera, kind, {"waves", 25.0F * random.unit_vector()});
         const glm::vec3 waves = 25.0F * random.unit_vector();
-        record_waves(out, camera, kind, waves, true);
-        record_waves(out, camera, kind + glm::ivec3(0, 0, 1), waves, true);
+        record_light(out, camera, kind, {"waves with darkness between them", waves});
+        record_light(out, camera, kind + glm::ivec3(0, 0, 1), {"waves with darkness between them", waves});
+        record_light(out, camera, kind, {"bright and dark stripes", 25.0F * random.unit_vector()});
     }
-    record_sun(out);
+    // From faint to far brighter than the sun, in turns.
+    for (int i = 0; i < 18; ++i) {
+        const float lows[] = {-7, -2, 4.5F};
+        const float brightness = i < 15 ? power_of_ten(random, lows[i % 3], lows[i % 3] + 3)
+                                        : power_of_ten(random, i == 15 ? -30 : 7, i == 15 ? -7 : 30);
+        record_even_light(out, "even", {2, 1, 1 + i % 5}, brightness * some_color(random));
+    }
+}
+
+// So many rays for each pixel that a sum in float has lost three digits.
+void record_many_rays(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 12; ++i)
+        record_even_light(out, "light", {1, 1, 60 + static_cast<int>(random.below(41))},
+                          power_of_ten(random, -2, 2) * some_color(random));
 }
 
 void record_picture(Variation& vary, Recorder& out)
@@ -239,7 +211,9 @@ const Driver driver = {
     {"far from the origin", [](Case& c, Recorder& out) { record_far(c.random, out); }},
     {"telephoto", [](Case& c, Recorder& out) { record_telephoto(c.random, out); }},
     {"samples", [](Case& c, Recorder& out) { record_samples(c.random, out); }},
+    {"fine grid", [](Case& c, Recorder& out) { record_fine_grid(c.random, out); }},
     {"rendered", [](Case& c, Recorder& out) { record_rendered(c.random, out); }},
+    {"many rays", [](Case& c, Recorder& out) { record_many_rays(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { record_picture(c.vary, out); }},
 };
 

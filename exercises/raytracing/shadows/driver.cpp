@@ -2,6 +2,7 @@
 #include <umbral/record/driver.hpp>
 
 #include "colored_lights.hpp"
+#include "rooms.hpp"
 #include "scenes.hpp"
 
 namespace umbral {
@@ -118,6 +119,7 @@ void record_picture(Variation& vary, Recorder& out)
 
 const Driver driver = {
     {"by hand", [](Case& c, Recorder& out) { record(out, in_pairs(c.random, by_hand())); }},
+    {"rooms", [](Case& c, Recorder& out) { record(out, room_pairs(c.random)); }},
     {"random", [](Case& c, Recorder& out) { record(out, light_pairs(c.random, 1, 4, 300)); }},
     {"turned away", [](Case& c, Recorder& out) { record(out, turned_away(c.random)); }},
     {"grazing", [](Case& c, Recorder& out) { record(out, grazing(c.random)); }},

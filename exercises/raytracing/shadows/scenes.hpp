@@ -103,13 +103,19 @@ inline glm::dvec3 direction_above(const SurfaceSite& site, double sine, Random& 
     return sine * site.normal + std::sqrt(1 - sine * sine) * perpendicular_to(site.normal, random);
 }
 
-/// A light in this direction: a lamp 2 to 6 sizes away, or a sun whose direction has any length. `reach` becomes the
-/// lamp's distance, or a length for what is put in the sun's way.
+/// A light in this direction: a lamp up to 6 sizes away, or a sun whose direction has any length; one sun in six has
+/// one whose square is no float. `reach` becomes the lamp's distance, or a length for what is put in the sun's way.
 inline glm::vec4 random_light(const SurfaceSite& site, const glm::dvec3& towards, bool is_sun, double& reach,
                               Random& random)
 {
     reach = site.size * (2 + 4 * random.uniform_double());
-    if (is_sun) return {std::exp2(random.uniform(-24, 8)) * glm::vec3(towards), 0};
+    if (is_sun) {
+        const float beyond_squares = (random.below(2) == 0 ? 1.0F : -1.0F) * random.uniform(75, 80);
+        return {std::exp2(random.below(6) == 0 ? beyond_squares : random.uniform(-24, 8)) * glm::vec3(towards), 0};
+    }
+    // Half of the lamps are nearer than the body is large, where that is far beside the point's error.
+    const double nearest = std::max(0.125, 1e4 * double{site.rounded.error} / site.size);
+    if (nearest < 1) reach = site.size * nearest * std::pow(6 / nearest, random.uniform_double());
     return {glm::vec3(site.point + reach * towards), 1};
 }
 
@@ -165,12 +171,14 @@ inline void add_light_pair(std::vector<LightQuestion>& questions, const SurfaceS
     double reach = 0;
     LightQuestion lit{site.rounded, random_light(site, towards, is_sun, reach, random), site.own};
     const double larger = is_sun && site.size < 1e3 ? std::exp2(random.uniform(0, 14)) : 1;
+    const double nearer = is_sun ? 1 : std::min(1.0, 0.5 * reach / site.size);  // small things before a near lamp
     reach *= larger;
     for (int i = 0; i < 2; ++i)
         lit.casters.balls.push_back(ball_beside(site, towards, reach * (0.3 + 0.4 * random.uniform_double()),
-                                                larger * site.size * 0.3, 1.2 + random.uniform_double(), random));
+                                                larger * nearer * site.size * 0.3, 1.2 + random.uniform_double(),
+                                                random));
     LightQuestion dark = lit;
-    const double radius = larger * site.size * (0.05 + 0.1 * random.uniform_double());
+    const double radius = larger * nearer * site.size * (0.05 + 0.1 * random.uniform_double());
     const double distance = reach * (0.3 + 0.5 * random.uniform_double());
     const int form = kind % 5;
     if (form == 0)
@@ -201,8 +209,8 @@ inline std::vector<LightQuestion> light_pairs(Random& random, double size, doubl
     return questions;
 }
 
-/// `count` pairs of a point with nothing in the way, and one with a triangle close above it, parallel to its surface:
-/// 16 to 60 errors away, and every second one as near as rounding of the triangle allows. Light is steep.
+/// `count` pairs of a point with nothing in the way, and one with a ball close above it, or a triangle that is parallel
+/// to its surface: 16 to 60 errors away, and half of them as near as their rounding allows. Light is steep.
 inline std::vector<LightQuestion> contact_pairs(Random& random, double size, double away, int count)
 {
     std::vector<LightQuestion> questions;
@@ -216,6 +224,12 @@ inline std::vector<LightQuestion> contact_pairs(Random& random, double size, dou
         const double error = site.rounded.error;
         const double nearest = 16 + 4 * half_ulp_of(site.point) / error;
         const double errors = random.below(2) == 0 ? nearest : nearest + 40 * random.uniform_double();
+        if (random.below(2) == 0) {
+            const double radius = size * (0.05 + 0.25 * random.uniform_double());
+            dark.casters.balls.push_back(ball_beside(site, towards, radius + error * errors, radius, 0, random));
+            add_pair(questions, lit, dark, random);
+            continue;
+        }
         const glm::dvec3 middle = site.point + error * errors / sine * towards;
         const glm::dvec3 side = 0.1 * size * perpendicular_to(site.normal, random);
         const glm::dvec3 other = cross(site.normal, side);

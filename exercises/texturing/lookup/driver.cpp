@@ -5,6 +5,7 @@
 #include <umbral/record/driver.hpp>
 #include <utility>
 
+#include "extreme_places.hpp"
 #include "scene.hpp"
 
 namespace umbral {
@@ -59,12 +60,19 @@ void by_hand(Variation& vary, Recorder& out)
     record(out, small_textures(vary), queries);
 }
 
+// From -1 to 2: light has no upper bound, and normals and heights have both signs. Textures may hold all of these.
+Grid<glm::vec4> any_numbers(Grid<glm::vec4> texture)
+{
+    for (glm::vec4& texel : texture.cells) texel = 3.0F * texel - 1.0F;
+    return texture;
+}
+
 // Away from borders by 2 % of a texel, so that no rounding decides; far enough inside for no neighbour to be wrapped.
 // Two textures have the same size, so that a copy of one, kept by its size, shows when the other is asked for.
 void random_inside(Random& random, Recorder& out, Filter filter)
 {
     const Textures textures = {random_texture(random, 8, 8), random_texture(random, 16, 4),
-                               random_texture(random, 5, 7), random_texture(random, 8, 8)};
+                               any_numbers(random_texture(random, 5, 7)), random_texture(random, 8, 8)};
     std::vector<Query> queries;
     for (int i = 0; i < 600; ++i) {
         const std::size_t texture = random.below(4);
@@ -82,18 +90,11 @@ void random_inside(Random& random, Recorder& out, Filter filter)
     record(out, textures, queries);
 }
 
-// Light has no upper bound, and textures may hold light.
-Grid<glm::vec4> brighter(Grid<glm::vec4> texture)
-{
-    for (glm::vec4& texel : texture.cells) texel *= 2;
-    return texture;
-}
-
 // Up to three times round in both directions. The last texture has the first one's size: see random_inside. After
 // every ten questions they are painted over, so that a copy shows which was made of a texture earlier.
 void outside(Random& random, Recorder& out, Wrap wrap)
 {
-    Textures textures = {random_texture(random, 8, 8), brighter(random_texture(random, 6, 10)),
+    Textures textures = {random_texture(random, 8, 8), any_numbers(random_texture(random, 6, 10)),
                          random_texture(random, 8, 8)};
     std::vector<Query> queries;
     for (int i = 0; i < 300; ++i) {
@@ -165,7 +166,7 @@ void thin(Random& random, Recorder& out)
     record(out, textures, queries);
 }
 
-// NaN is 0, in either coordinate; infinity too with repeat, and the edge otherwise.
+// NaN is 0, in either coordinate or in both; infinity too with repeat, and the edge otherwise.
 void not_numbers(Random& random, Recorder& out)
 {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -174,10 +175,10 @@ void not_numbers(Random& random, Recorder& out)
     std::vector<Query> queries;
     for (const float strange : {nan, infinity, -infinity})
         for (const Filter filter : both_filters)
-            for (const Wrap wrap : both_wraps) {
-                queries.push_back({0, {filter, wrap, wrap}, {strange, 0.65F}});
-                queries.push_back({0, {filter, wrap, wrap}, {0.65F, strange}});
-            }
+            for (const Wrap wrap_u : both_wraps)
+                for (const Wrap wrap_v : both_wraps)
+                    for (const glm::vec2 uv : {glm::vec2(strange, 0.65F), {0.65F, strange}, {strange, strange}})
+                        queries.push_back({0, {filter, wrap_u, wrap_v}, uv});
     record(out, textures, queries);
 }
 
@@ -196,48 +197,21 @@ void without_texels(Random& random, Recorder& out)
     }
 }
 
-// A long way from 0 the fraction has few bits left, and a product with the size has none to spare; just below 0 it
-// rounds up to 1. The largest have no fraction left, and no whole number of 32 or 64 bits holds them. Every fifth u is
-// clamped: such places are the edge.
-void far_out(Random& random, Recorder& out)
-{
-    const Textures textures = {random_texture(random, 256, 256), random_texture(random, 300, 77)};
-    std::vector<Query> queries;
-    for (int i = 0; i < 600; ++i) {
-        const Wrap wrap = i % 5 == 3 ? Wrap::clamp_to_edge : Wrap::repeat;
-        const Sampler sampler{both_filters[random.below(2)], wrap, Wrap::repeat};
-        glm::vec2 uv(0);
-        for (int axis = 0; axis < 2; ++axis) {
-            const float power = i % 6 == 0   ? random.uniform(-30, -9)
-                                : i % 6 == 1 ? random.uniform(7, 12)
-                                : i % 6 == 2 ? random.uniform(17, 38)
-                                             : random.uniform(2, 6);
-            const float size = std::pow(10.0F, power);
-            uv[axis] = (random.below(2) == 0 ? -size : size);
-        }
-        queries.push_back({random.below(2), sampler, uv});
-    }
-    record(out, textures, queries);
-}
+// More rows and columns than a byte can count.
+Textures wide_textures(Random& random) { return {random_texture(random, 256, 256), random_texture(random, 300, 270)}; }
 
-// The floats on both sides of each border between texels, where the sizes are no powers of two: u * n rounds onto the
-// border.
+// Sizes that are no powers of two, where u * n rounds onto the border; of so many texels, too, that the floats beside
+// borders are few. And the longest row, whose size is a power of two.
 void beside_borders(Random& random, Recorder& out)
 {
-    const Textures textures = {random_texture(random, 100, 100), random_texture(random, 16384, 1)};
-    std::vector<Query> queries;
-    // So many texels that the first of them lie within a ten-thousandth of the edge.
-    for (int i = 0; i < 48; ++i) {
-        const auto texel = static_cast<double>(i % 2 == 0 ? random.below(2) : random.below(16384));
-        const auto u = static_cast<float>((texel + 0.25 + 0.5 * random.uniform_double()) / 16384);
-        queries.push_back({1, {Filter::nearest, random_wrap(random), random_wrap(random)}, {u, 0.5F}});
-    }
-    for (int i = 1; i < 100; ++i) {
-        const auto above = static_cast<float>(i / 100.0);
-        const float below = std::nextafter(above, 0.0F);
-        queries.push_back({0, {Filter::nearest, random_wrap(random), random_wrap(random)}, {above, below}});
-        queries.push_back({0, {Filter::nearest, random_wrap(random), random_wrap(random)}, {below, above}});
-    }
+    const auto many = [&] { return 9001 + 2 * static_cast<int>(random.below(3500)); };
+    const int columns = many();
+    const int rows = many();
+    const Textures textures = {random_texture(random, 100, 100), random_texture(random, columns, 1),
+                               random_texture(random, 1, rows), random_texture(random, 16384, 1)};
+    std::vector<Query> queries = border_places(random, {100, columns, rows});
+    const std::vector<Query> more = long_row_places(random, 3);
+    queries.insert(queries.end(), more.begin(), more.end());
     record(out, textures, queries);
 }
 
@@ -276,7 +250,16 @@ const Driver driver = {
     {"thin", [](Case& c, Recorder& out) { thin(c.random, out); }},
     {"not numbers", [](Case& c, Recorder& out) { not_numbers(c.random, out); }},
     {"no texel", [](Case& c, Recorder& out) { without_texels(c.random, out); }},
-    {"far out", [](Case& c, Recorder& out) { far_out(c.random, out); }},
+    {"far out",
+     [](Case& c, Recorder& out) {
+         const Textures textures = wide_textures(c.random);
+         record(out, textures, far_repeats(c.random));
+     }},
+    {"far clamped",
+     [](Case& c, Recorder& out) {
+         const Textures textures = wide_textures(c.random);
+         record(out, textures, far_clamps(c.random));
+     }},
     {"beside borders", [](Case& c, Recorder& out) { beside_borders(c.random, out); }},
     {"laws", [](Case& c, Recorder& out) { record_cycled(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("colours", picture(out, 480, 320, c.vary)); }},

@@ -62,6 +62,32 @@ inline Frame drifted(const glm::vec3& origin, float by, bool left_handed, Random
     return frame;
 }
 
+/// Turned about one of the world's axes, and all vectors of this length.
+inline Frame level(const glm::vec3& origin, float size, Random& random)
+{
+    const auto axis = static_cast<int>(random.below(3));
+    glm::vec3 about(0);
+    about[axis] = 1;
+    const glm::mat4 m = glm::rotate(glm::mat4(1), random.uniform(0.2F, 6), about);
+    return {size * glm::vec3(m[0]), size * glm::vec3(m[1]), size * glm::vec3(m[2]), origin};
+}
+
+/// An origin for a frame whose vectors alone are asked about: 0, as one of the vectors, or anywhere.
+inline glm::vec3 any_origin(Frame& frame, Random& random)
+{
+    const std::uint32_t axis = random.below(3);
+    const glm::vec3 anywhere = 8.0F * random.in_cube();
+    const std::uint32_t kind = random.below(3);
+    return kind == 0 ? glm::vec3(0) : kind == 1 ? axis_of(frame, axis) : anywhere;
+}
+
+/// One vector longer, the next one shorter by the same factor: the volume stays.
+inline void stretch(Frame& frame, std::uint32_t one, float factor)
+{
+    axis_of(frame, one) *= factor;
+    axis_of(frame, (one + 1) % 3) /= factor;
+}
+
 /// A multiple of 2^-23 between 0.5 and 1 with all its digits, and a sign: the sum of two is a float, their products are
 /// no doubles.
 inline float full_number(Random& random)

@@ -29,10 +29,13 @@ void record_known(Variation& vary, Recorder& out)
     const Frame cyclic = placed({{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {-1, -2, -3}});
     const Frame tilted = placed({{0.6F, 0.8F, 0}, {-0.8F, 0.6F, 0}, {0, 0, 1}, {10, 0, -5}});
     const Frame one_longer = placed({{0, 1, 0}, {-1, 0, 0}, {0, 0, 4}, {1, 0, 2}});
-    for (const Frame& frame : {world, doubled, sheared, quarter, cyclic, tilted, one_longer}) {
+    // At the world's origin, but with vectors of its own: from there the displacement is to be turned all the same.
+    Frame at_zero = placed({{0, 2, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, 0}});
+    at_zero.origin = glm::vec3(0);
+    for (const Frame& frame : {world, doubled, sheared, quarter, cyclic, tilted, one_longer, at_zero}) {
         out.append("matrix", ask<frame_matrix>(out, frame));
         out.append("inverse", ask<inverse_of_frame>(out, frame));
-        for (const Frame& other : {world, doubled, quarter, sheared, one_longer})
+        for (const Frame& other : {world, doubled, quarter, sheared, one_longer, at_zero})
             out.append("between", ask<between_frames>(out, frame, other));
     }
     for (const Frame& frame : {quarter, cyclic, tilted}) out.append("cartesian", ask<inverse_of_cartesian>(out, frame));
@@ -41,15 +44,20 @@ void record_known(Variation& vary, Recorder& out)
 void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
-        // Every third of each is nearly Cartesian.
-        const glm::vec3 here = 8.0F * random.in_cube();
-        const glm::vec3 there = 8.0F * random.in_cube();
-        const Frame from = i % 3 == 0 ? nearly_cartesian(here, random) : oblique(here, random);
-        const Frame to = i % 3 == 1 ? nearly_cartesian(there, random) : oblique(there, random);
+        // Every third of each is nearly Cartesian. One in four stands at the world's origin, or both at one place.
+        const glm::vec3 here = i % 4 == 1 ? glm::vec3(0) : 8.0F * random.in_cube();
+        const glm::vec3 there = i % 4 == 2 ? glm::vec3(0) : i % 16 == 3 ? here : 8.0F * random.in_cube();
+        Frame from = i % 3 == 0 ? nearly_cartesian(here, random) : oblique(here, random);
+        Frame to = i % 3 == 1 ? nearly_cartesian(there, random) : oblique(there, random);
+        Frame straight = cartesian(8.0F * random.in_cube(), random);
+        // Turned about one axis only, as in a drawing: many coordinates are 0.
+        if (i % 5 == 4) from = level(here, random.uniform(0.5F, 2), random);
+        if (i % 7 == 6) to = level(there, random.uniform(0.5F, 2), random);
+        if (i % 5 == 4) straight = level(straight.origin, 1, random);
         out.append("matrix", ask<frame_matrix>(out, from));
         out.append("inverse", ask<inverse_of_frame>(out, from));
         out.append("between", ask<between_frames>(out, from, to));
-        out.append("cartesian", ask<inverse_of_cartesian>(out, cartesian(8.0F * random.in_cube(), random)));
+        out.append("cartesian", ask<inverse_of_cartesian>(out, straight));
     }
 }
 
@@ -67,6 +75,7 @@ void record_related(Random& random, Recorder& out)
         else
             to.origin = 8.0F * random.in_cube();
         out.append("related", ask<between_frames>(out, from, to));
+        out.append("inverse", ask<inverse_of_frame>(out, to));
         from = to;
     }
 }
@@ -85,13 +94,16 @@ void record_drifted(Random& random, Recorder& out)
     }
 }
 
-// Pairs of a right-handed frame and a left-handed one, in random order, of all sizes; the slides' criterion for the
-// plane says 0 = 0 for the first.
+// Pairs of a right-handed frame and a left-handed one, in random order, of all sizes, one in five with one vector that
+// is smaller than what floats hold with all their digits; the slides' criterion for the plane says 0 = 0 for the first.
 void record_orientation(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
         Frame frame = i == 0 ? Frame{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, 0}} : oblique({0, 0, 0}, random);
         for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z}) *axis *= i < 20 ? 1.0F : i < 40 ? 1e-10F : 1e10F;
+        glm::vec3& one = axis_of(frame, random.below(3));
+        if (i % 3 == 2 && (i < 20 || i >= 40)) one = 0x1p-130F * normalize(one);
+        frame.origin = any_origin(frame, random);
         Frame other = frame;
         std::swap(i % 2 == 0 ? other.x : other.z, other.y);
         const bool swapped = random.below(2) == 1;
@@ -107,10 +119,11 @@ void record_kind(Recorder& out, const Frame& frame)
 }
 
 // All five, of all sizes: a volume of 1e-14 is not 0, and squares of lengths may be no floats. Oblique ones of which
-// one pair of vectors leans, and orthogonal ones of which one vector is not unit, beside those of which all do and are.
+// one pair of vectors leans, and orthogonal ones of which one vector is not unit, beside those of which all do and are;
+// some have the volume 1, or one vector of 2^-130. Where the frame stands says nothing of its kind.
 void record_kinds(Variation& vary, Random& random, Recorder& out)
 {
-    const glm::vec3 origin(1, 2, 3);
+    const glm::vec3 origin(0);
     for (const int i : numbers(vary, 120)) {
         const int kind = i % 5;
         const int variant = i / 5;
@@ -120,26 +133,31 @@ void record_kinds(Variation& vary, Random& random, Recorder& out)
         const std::uint32_t one = random.below(3);
         if (kind == 0 && variant % 2 == 0) frame = skew;
         if (kind == 0 && variant % 2 == 1) axis_of(frame, one) += 0.3F * sign * axis_of(frame, (one + 1) % 3);
-        if (kind == 1 && variant % 2 == 0) frame.x *= 1.5F, frame.z *= 0.01F;
+        if (kind == 1 && variant % 4 == 0) frame.x *= 1.5F, frame.z *= 0.01F;
+        if (kind == 1 && variant % 4 == 2) stretch(frame, one, std::array{2.0F, 1.01F, 1.5F}.at(random.below(3)));
         if (kind == 1 && variant % 2 == 1) axis_of(frame, one) *= random.below(2) == 0 ? 1.5F : 0.75F;
         const float size = std::array{1.0F, 1e-4F, 1e-25F, 1e25F}.at(static_cast<std::size_t>(variant / 2 % 4));
-        if (kind == 0 || (kind == 1 && variant % 2 == 0))
+        if (kind == 0 || (kind == 1 && variant % 4 == 0))
             for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z}) *axis *= size;
+        if (kind < 2 && variant % 8 == 1) axis_of(frame, one) *= 0x1p-130F;
         if (kind == 2 && variant % 2 == 0) axis_of(frame, one) = glm::vec3(0);
         if (kind == 2 && variant % 2 == 1) frame.x.y = frame.y.y = frame.z.y = 0;
         if (sign < 0) frame.y = -frame.y;
         // As far off as a long chain of turns leaves a frame.
         if (kind > 2) frame.x *= 1.00001F;
+        frame.origin = any_origin(frame, random);
         record_kind(out, frame);
     }
 }
 
 // On both sides of the thresholds of 1e-4, in pairs, in random order: cosines of 0.5e-4 … 0.85e-4 and of 1.2e-4 … 2e-4,
-// also where one of the two vectors is long or short, and lengths that are as far from 1.
+// also where one of the two vectors is long or short, and lengths that are as far from 1; of half of these another
+// vector is as much shorter as one is longer, so that the volume is 1.
 void record_thresholds(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
-        const Frame frame = cartesian({1, 2, 3}, random);
+        Frame frame = cartesian({0, 0, 0}, random);
+        frame.origin = any_origin(frame, random);
         const float sign = random.below(2) == 0 ? 1.0F : -1.0F;
         const bool first = random.below(2) == 1;
         for (const bool beyond : {first, !first}) {
@@ -148,7 +166,7 @@ void record_thresholds(Random& random, Recorder& out)
             glm::vec3& axis = i % 3 == 0 ? other.x : i % 3 == 1 ? other.y : other.z;
             glm::vec3& next = i % 3 == 0 ? other.y : i % 3 == 1 ? other.z : other.x;
             if (i % 2 == 0)
-                axis *= 1.0F + off;
+                axis *= 1.0F + off, next *= i % 4 == 0 ? 1.0F - off : 1.0F;
             else
                 axis += off * next;
             if (i % 8 == 3) axis *= 8.0F;

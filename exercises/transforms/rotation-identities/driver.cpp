@@ -52,7 +52,8 @@ float some_degrees(Random& random, float lowest, float highest)
     return std::pow(10.0F, random.uniform(lowest, highest)) * (random.below(2) == 0 ? 1.0F : -1.0F);
 }
 
-// Every fourth turn is nearly the one before, about whichever axis; every eighth vector is null.
+// Every fourth turn is nearly the one before, about whichever axis, and every fourth is made about each axis in turn;
+// every eighth vector is null.
 void record_random(Random& random, Recorder& out)
 {
     float degrees = 0;
@@ -63,6 +64,12 @@ void record_random(Random& random, Recorder& out)
         out.append("matrix", ask<elementary_matrix>(out, turn));
         const Sized sized = any_size((i % 8 == 1 ? 0.0F : 8.0F) * random.in_cube(), random);
         out.append("vector", ask<elementary_rotation>(out, sized.vector, turn) / sized.unit);
+        if (i % 4 != 0) continue;
+        for (const WorldAxis axis : in_random_order(random, std::vector(std::begin(axes), std::end(axes)))) {
+            const ElementaryTurn same{axis, turn.degrees};
+            out.append("matrix", ask<elementary_matrix>(out, same));
+            out.append("vector", ask<elementary_rotation>(out, sized.vector, same) / sized.unit);
+        }
     }
 }
 
@@ -96,7 +103,7 @@ void record_quarter_turns(Random& random, Recorder& out)
 
 // By quarter turns, or none, and ten thousandths to hundredths of a degree, two of them after one another (by matrices
 // down to a hundred thousandth, of which a float at 90 degrees is a multiple); and many times round, up to the largest
-// floats.
+// floats, by vectors and by matrices.
 void record_many_turns(Random& random, Recorder& out)
 {
     float quarters = 0;
@@ -110,11 +117,13 @@ void record_many_turns(Random& random, Recorder& out)
         const float degrees = i % 2 == 0 ? some_degrees(random, 2.5F, 9) : some_degrees(random, 9, 38.5F);
         const ElementaryTurn turn{axes[random.below(3)], degrees};
         out.append("vector", ask<elementary_rotation>(out, random.unit_vector(), turn));
+        out.append("matrix", ask<elementary_matrix>(out, turn));
     }
 }
 
 /// Of every kind an eighth: no turn at all, one, a null vector, turns about one axis of large and of small angles,
-/// turns by quarters among others; the rest of two to eight turns.
+/// turns by quarters among others, there and back with other turns between, turns by 0 among others; the rest of two to
+/// eight turns.
 std::vector<ElementaryTurn> some_chain(std::size_t kind, Random& random)
 {
     std::vector<ElementaryTurn> turns;
@@ -124,7 +133,16 @@ std::vector<ElementaryTurn> some_chain(std::size_t kind, Random& random)
         ElementaryTurn turn = random_turn(random);
         if (kind == 3) turn = {axis, k % 2 == 0 ? some_degrees(random, 4, 7) : turn.degrees};
         if (kind == 4 && k % 2 == 0) turn.degrees = static_cast<float>(90 * (static_cast<int>(random.below(9)) - 4));
+        // Never the last one: it would change nothing there, for whoever ends with it.
+        if (kind == 6 && random.below(2) == 0 && k + 1 < count) turn.degrees = 0;
         turns.push_back(turn);
+    }
+    if (kind == 6) turns.front().degrees = 0;
+    if (kind == 5) {
+        turns.resize(2);
+        // Not about the axis of what stands between: they would cancel.
+        turns.front().axis = axes[(static_cast<std::size_t>(turns[1].axis) + 1) % 3];
+        turns.push_back({turns.front().axis, -turns.front().degrees});
     }
     return turns;
 }

@@ -31,12 +31,14 @@ std::vector<glm::vec2> pixel_samples(int x, int y, int n)
 Grid<glm::vec3> render_picture(const PrimaryCamera& camera, int width, int height, int n,
                                const LightAlongRay& light_along)
 {
-    Grid<glm::vec3> picture(width, height, glm::vec3(0));
-    const float weight = 1.0F / static_cast<float>(n * n);
-    for (int i = 0; i < width * height; ++i)
+    Grid<glm::vec3> picture(width, height);
+    const double weight = 1.0 / (n * n);
+    for (int i = 0; i < width * height; ++i) {
+        glm::dvec3 mean(0);
         for (const glm::vec2& sample : pixel_samples(i % width, i / width, n))
-            picture.cells[static_cast<std::size_t>(i)] +=
-                weight * light_along(primary_ray(camera, width, height, sample));
+            mean += weight * glm::dvec3(light_along(primary_ray(camera, width, height, sample)));
+        picture.cells[static_cast<std::size_t>(i)] = glm::vec3(mean);
+    }
     return picture;
 }
 

@@ -1,5 +1,5 @@
 // mistake: radians, sines and chains in float
-// credit: 60..78
+// credit: 52..78
 // hint: Your quarter turns leave a rest of 1e-8 where there should be 0, and long chains drift: lengths, dot and cross
 // products are not kept. Take off whole and quarter turns in degrees, where that is exact, and go on in double.
 #include <cmath>
