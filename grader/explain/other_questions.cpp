@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "explain/question_words.hpp"
 #include "explain/questions_in_turn.hpp"
 #include "explain/weighed_questions.hpp"
 #include "judge/explain/thresholds.hpp"
+#include "worker/interface_text.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -196,23 +195,6 @@ void keep_simple(std::vector<WeighedQuestion>& candidates)
     });
 }
 
-}
-
-std::string interface_text(const Worker& worker, const Exercise& exercise)
-{
-    const std::filesystem::path& framework = worker.tools().framework;
-    std::vector<std::filesystem::path> files;
-    for (const auto* headers : {&exercise.interfaces, &exercise.used_interfaces})
-        for (const std::string& header : *headers) files.push_back(framework / header);
-    std::error_code none;
-    std::set<std::filesystem::path> others;
-    for (const auto& entry : std::filesystem::directory_iterator(framework / "umbral" / exercise.topic, none))
-        if (entry.path().extension() == ".hpp" && std::ranges::find(files, entry.path()) == files.end())
-            others.insert(entry.path());
-    files.insert(files.end(), others.begin(), others.end());
-    std::ostringstream text;
-    for (const std::filesystem::path& file : files) text << std::ifstream(file).rdbuf() << '\n';
-    return text.str();
 }
 
 std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exercise,

@@ -25,6 +25,7 @@
 #include "judge/judges.hpp"
 #include "question/log.hpp"
 #include "report/failing_order.hpp"
+#include "worker/interface_text.hpp"
 #include "worker/spare_time.hpp"
 
 namespace umbral::grader {

@@ -5,6 +5,7 @@
 
 #include "question/log.hpp"
 #include "question/names.hpp"
+#include "worker/interface_text.hpp"
 
 #include <umbral/record/reflect.hpp>
 
@@ -35,8 +36,9 @@ CallsOfFunction named_calls(const QuestionKind& kind, const std::string& headers
 
 }
 
-std::vector<FunctionGaps> unit_gaps(Worker& worker, const Exercise& exercise, const std::string& headers, unsigned sets)
+std::vector<FunctionGaps> unit_gaps(Worker& worker, const Exercise& exercise, unsigned sets)
 {
+    const std::string headers = interface_text(worker, exercise);
     std::map<std::pair<std::string, std::vector<std::string>>, CallsOfFunction> functions;
     for (const std::string& name : exercise.cases())
         for (unsigned set = 0; set < sets; ++set) {

@@ -15,9 +15,7 @@ struct FunctionGaps {
     std::vector<InputGap> gaps;
 };
 
-/// Of each function whose calls the unit's driver records, in all its cases, with so many sets of inputs. `headers`
-/// hold the functions' declarations, where parameters have their names.
-[[nodiscard]] std::vector<FunctionGaps> unit_gaps(Worker& worker, const Exercise& exercise, const std::string& headers,
-                                                  unsigned sets);
+/// Of each function whose calls the unit's driver records, in all its cases, with so many sets of inputs.
+[[nodiscard]] std::vector<FunctionGaps> unit_gaps(Worker& worker, const Exercise& exercise, unsigned sets);
 
 }

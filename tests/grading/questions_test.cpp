@@ -7,6 +7,7 @@
 #include "report/hidden.hpp"
 #include "report/html/pages.hpp"
 #include "spoilt_reference.hpp"
+#include "worker/interface_text.hpp"
 
 // What is said of bugs that are in no list of mistakes.
 namespace umbral::grader::test {

@@ -19,6 +19,7 @@
 #include "mutants/schemata.hpp"
 #include "report/reasons.hpp"
 #include "unit/grade_unit.hpp"
+#include "worker/interface_text.hpp"
 #include "worker/known_solutions.hpp"
 
 namespace umbral::grader {

@@ -6,7 +6,6 @@
 #include <mutex>
 
 #include "cli/checkout.hpp"
-#include "explain/other_questions.hpp"
 #include "report/paint.hpp"
 #include "validate/unit_gaps.hpp"
 #include "worker/crew.hpp"
@@ -22,7 +21,7 @@ void print_gaps(Application& application, const std::vector<std::string>& units,
     std::mutex mutex;
     Crew(application.tools, jobs).share_out(exercises.size(), [&](Worker& worker, std::size_t index) {
         const Exercise& exercise = exercises[index];
-        const std::vector<FunctionGaps> found = unit_gaps(worker, exercise, interface_text(worker, exercise), seeds);
+        const std::vector<FunctionGaps> found = unit_gaps(worker, exercise, seeds);
         const std::lock_guard lock(mutex);
         fmt::print("{}\n", exercise.id);
         for (const FunctionGaps& function : found) {
