@@ -19,6 +19,7 @@ IdleUnit try_idle(Worker& worker, const std::filesystem::path& finder, const Exe
                   MutantFamily family)
 {
     IdleUnit idle{exercise.id, 0, {}};
+    if (family == MutantFamily::echo) idle.most_credit = IdleUnit::most_credit_of_echo;
     try {
         const Toolchain& tools = worker.tools();
         const std::filesystem::path source = reference_files(tools.reference, exercise).begin()->second;

@@ -16,9 +16,11 @@ struct IdleUnit {
     std::vector<std::string> earning;  ///< the checks that it earns points in, as "frames/state 1.00 of 1.00"
     std::string trouble{};             ///< why it could not be tried
 
-    /// Does it earn no more than what comes of rounding, and of pixels that are right by chance?
+    double most_credit = 2;  ///< percent: what comes of rounding, and of pixels that are right by chance
+
     [[nodiscard]] bool holds() const { return trouble.empty() && credit <= most_credit; }
-    static constexpr double most_credit = 2;
+    /// Of what gives back its question, since some are their own answers: turned by an angle of 0, clipped by nothing.
+    static constexpr double most_credit_of_echo = 4;
 };
 
 /// Grades the unit's reference, in which every function returns at once, with the inputs of one seed: with nothing, or,

@@ -34,8 +34,8 @@ void validate_idle(Application& application, const std::vector<std::string>& uni
             (void)std::fflush(stdout);
         }
     });
-    fmt::print("{} units; {} programs that do nothing earn more than {:g} % of the points\n", exercises.size(), earning,
-               IdleUnit::most_credit);
+    fmt::print("{} units; {} programs that do nothing earn more than {:g} %, or {:g} % by giving back questions\n",
+               exercises.size(), earning, IdleUnit{}.most_credit, IdleUnit::most_credit_of_echo);
     if (earning > 0) application.exit_status = exit_not_right;
 }
 
