@@ -103,15 +103,15 @@ inline glm::dvec3 direction_above(const SurfaceSite& site, double sine, Random& 
     return sine * site.normal + std::sqrt(1 - sine * sine) * perpendicular_to(site.normal, random);
 }
 
-/// A light in this direction: a lamp up to 6 sizes away, or a sun whose direction has any length; one sun in six has
-/// one whose square is no float. `reach` becomes the lamp's distance, or a length for what is put in the sun's way.
+/// A light in this direction: a lamp up to 6 sizes away, or a sun whose direction has any length; one sun in eight
+/// has one whose square is no float. `reach` becomes the lamp's distance, or a length for what is put in the sun's way.
 inline glm::vec4 random_light(const SurfaceSite& site, const glm::dvec3& towards, bool is_sun, double& reach,
                               Random& random)
 {
     reach = site.size * (2 + 4 * random.uniform_double());
     if (is_sun) {
         const float beyond_squares = (random.below(2) == 0 ? 1.0F : -1.0F) * random.uniform(75, 80);
-        return {std::exp2(random.below(6) == 0 ? beyond_squares : random.uniform(-24, 8)) * glm::vec3(towards), 0};
+        return {std::exp2(random.below(8) == 0 ? beyond_squares : random.uniform(-24, 8)) * glm::vec3(towards), 0};
     }
     // Half of the lamps are nearer than the body is large, where that is far beside the point's error.
     const double nearest = std::max(0.125, 1e4 * double{site.rounded.error} / site.size);

@@ -17,7 +17,7 @@ inline constexpr float clearance = 1e-4F;
 
 /// How a surface looks: what it reflects of the lights, what it mirrors, and what it lets through.
 struct Material {
-    lighting::Material local;      ///< M_E; k_a M_A, k_d M_D and k_s M_S as one colour each; e, at least 1
+    lighting::Material local;      ///< M_E; k_a M_A, k_d M_D and k_s M_S as one colour each; e, here 1 to 100
     float mirrored = 0;            ///< k_ps, in [0, 1]
     glm::vec3 mirrored_color{1};   ///< M_PS
     float refracted = 0;           ///< k_t, in [0, 1]
@@ -59,7 +59,7 @@ public:
 ///     k_a M_A + k_d M_D max(0, n·l) + k_s M_S d max(0, r·v)^e
 ///
 /// where r = 2 (n·l) n - l mirrors **l**, and d is 1 if n·l > 0, and 0 otherwise. The normal n, v and l are unit; they
-/// point away from the surface. Right to 1e-4 for e up to 100. Course: DIRECTA(p, v, l).
+/// point away from the surface. Right to 1e-4. Course: DIRECTA(p, v, l).
 [[nodiscard]] glm::vec3 direct_light(const lighting::Material& material, const glm::vec3& normal, const glm::vec3& v,
                                      const glm::vec3& l);
 
@@ -75,7 +75,7 @@ public:
 /// t = (q n·v - √(1 - q² (1 - (n·v)²))) n - q v. Where the root would be of a negative number there is no t, and the
 /// term is 0 (total internal reflection).
 /// Both have level + 1, and begin with t_min = `clearance`. Each is asked for once, and only if its k is greater than
-/// 0 and that level does not exceed max_level(). Course: EVALUAMILREC(O, p, v, n).
+/// 0 and that level does not exceed max_level(); all else is so at any level. Course: EVALUAMILREC(O, p, v, n).
 [[nodiscard]] glm::vec3 light_towards(const World& world, const Hit& hit, const glm::vec3& v, int level);
 
 /// The light that comes along a ray, and its rays' rays, against its direction: of the first surface that it meets, or

@@ -14,6 +14,7 @@ bool sees_light(const ShadedPoint& point, const glm::vec4& light, const ShadowCa
         distance = length(l);
     }
     if (dot(point.normal, l) <= 0) return false;
+    const glm::vec3 unit(normalize(glm::dvec3(l)));
     return !meets_any(casters, Ray{start, unit, 0, distance});
 }
 
