@@ -19,7 +19,8 @@ inline glm::vec3 some_channels(Random& random, const glm::vec3& color)
     return random.below(2) == 0 ? some : color - some;
 }
 
-/// 0, below 1, and up to 40, a third of each. Not far below 1: next to a cosine of 0 such powers are too steep for float.
+/// 0, below 1, and up to 40, a third of each. Not far below 1: next to a cosine of 0 such powers are too steep for
+/// float.
 inline float exponent_of_any_kind(Random& random, std::uint32_t kind)
 {
     return kind % 3 == 0 ? 0.0F : kind % 3 == 1 ? random.uniform(0.5F, 0.95F) : random.uniform(1, 40);

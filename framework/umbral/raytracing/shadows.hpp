@@ -81,9 +81,9 @@ struct ShadedPoint {
 /// The light reaches no point whose surface is turned away from it. Otherwise it does unless there is a caster between:
 /// what lies beyond a light at a place is no matter.
 /// The surface of the point may itself be among the casters, and must not shade the point: it is a triangle of a convex
-/// body that `position` lies on, or a ball, and the normal leads out of it. All other casters are 16 errors or more away
-/// from the point, and further from the light than a hundredth of the way from the point to the light. The light is
-/// above or below the point's plane by 0.001 of its distance or more.
+/// body that `position` lies on, or a ball, and the normal leads out of it. All other casters are 16 errors or more
+/// away from the point, and further from the light than a hundredth of the way from the point to the light. The light
+/// is above or below the point's plane by 0.001 of its distance or more.
 /// Guarantee of the reference: so it is, from 1e-4 to 1e7 in size and in distance from the world's origin.
 /// Course: section D 1G, "sombras arrojadas".
 [[nodiscard]] bool sees_light(const ShadedPoint& point, const glm::vec4& light, const ShadowCasters& casters);
