@@ -16,7 +16,7 @@ using namespace interaction;
 /// as another's. `counted`: also how often it polled and waited.
 void record(Recorder& out, const NamedLoop& loop, const std::vector<LoopSession>& sessions, bool counted = false)
 {
-    out.text("rounds.names", loop_row_names);
+    out.text("rounds.names", loop_row_names());
     if (counted) out.columns("calls", "calls of glfwPollEvents, calls of glfwWaitEvents");
     float number = 0;
     for (LoopSession session : sessions) {
@@ -25,9 +25,12 @@ void record(Recorder& out, const NamedLoop& loop, const std::vector<LoopSession>
         ask_in_script(
             out, loop.name, [&] { return session.script; }, [&] { return told(loop, session); });
         const LoopResult result = play(loop, session);
+        float heard = 0;
         for (const LoopRow& row : result.rows) {
             if (!result.stopped.empty() && &row == &result.rows.back()) out.refused("rounds", result.stopped);
-            out.append("rounds", glm::vec3(row[0], row[1], number));
+            const bool tells_flags = row[0] == 6;
+            if (!tells_flags) heard = row[1];
+            out.append("rounds", glm::vec3(tells_flags ? first_left_code + row[1] : row[0], heard, number));
         }
         if (counted) out.append("calls", glm::vec2(result.usage.polls, result.usage.waits));
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <umbral/core/student_error.hpp>
@@ -30,11 +31,28 @@ struct Habits {
 /// that of the window among them.
 using LoopRow = std::array<float, 2>;
 
-/// What rows are called behind which their session stands: a number from 1 on.
-inline constexpr std::string_view loop_row_names =
-    "1 draw: events heard, session\n2 frame shown: events heard, session\n3 update: events heard, session\n"
-    "4 returned: events heard, session\n5 stopped: events heard, session\n"
-    "6 flags left: finish + 2 redraw + 4 animate + 8 close, session\n";
+/// What can be left when a loop returns, in the order of a row's bits.
+inline constexpr std::array left_names = {"finish", "redraw", "animate", "window asked to close",
+                                          "swap interval changed"};
+inline constexpr int first_left_code = 10;
+
+/// What rows are called behind which their session stands: a number from 1 on. What is left has a code of its own for
+/// each set of flags, so that reports say which ones they are.
+inline std::string loop_row_names()
+{
+    std::string names =
+        "1 draw: events heard, session\n2 frame shown: events heard, session\n"
+        "3 update: events heard, session\n4 returned: events heard, session\n"
+        "5 stopped: events heard, session\n";
+    for (int left = 0; left < 1 << left_names.size(); ++left) {
+        std::string flags;
+        for (std::size_t i = 0; i < left_names.size(); ++i)
+            if ((left >> i & 1) != 0) flags += (flags.empty() ? "" : " and ") + std::string(left_names[i]);
+        names += std::to_string(first_left_code + left) + " left set (" + (flags.empty() ? "nothing" : flags) +
+                 "): events heard, session\n";
+    }
+    return names;
+}
 
 class LoggedProgram final : public ScriptedProgram {
 public:
@@ -64,10 +82,11 @@ public:
     }
 
     void shown() { log(2); }
-    void returned()
+    void returned(bool waits_as_before = true)
     {
         log(4);
-        const int left = (flags.finish ? 1 : 0) + (flags.redraw ? 2 : 0) + (flags.animate ? 4 : 0) + (closing ? 8 : 0);
+        const int left = (flags.finish ? 1 : 0) + (flags.redraw ? 2 : 0) + (flags.animate ? 4 : 0) + (closing ? 8 : 0) +
+                         (waits_as_before ? 0 : 16);
         rows.push_back({6, static_cast<float>(left)});
     }
     void stopped() { log(5); }
@@ -105,6 +124,7 @@ struct LoopSession {
     bool closes = false;  ///< the window has been asked to close before the loop begins
     bool hides = false;   ///< the window has been hidden before, which is not minimised
     double content_scale = 1;
+    int swap_interval = 1;  ///< set by the program before the loop begins
 };
 
 struct LoopResult {
@@ -121,8 +141,9 @@ inline LoopResult play(const NamedLoop& loop, const LoopSession& session)
                                            .polls_after_closing = 20,
                                            .on_frame = [&] { program.shown(); }};
     try {
-        const input::Usage usage = run_by(loop, program, session.script, settings, session.closes, session.hides);
-        program.returned();
+        const input::Usage usage =
+            run_by(loop, program, session.script, settings, session.closes, session.hides, session.swap_interval);
+        program.returned(program.waits_for_screen == (session.swap_interval != 0));
         return {program.rows, usage};
     } catch (const StudentError& error) {
         program.stopped();
@@ -144,6 +165,7 @@ inline std::string told(const NamedLoop& loop, const LoopSession& session)
     say_if(session.flags.finish, " finish");
     say_if(session.closes, "\nglfwSetWindowShouldClose(window, GLFW_TRUE);");
     say_if(session.hides, "\nglfwHideWindow(window);");
+    say_if(session.swap_interval == 0, "\nglfwSwapInterval(0);");
     say_if(!habits.escape_ends, "\n// Escape means nothing, X sets finish");
     say_if(habits.unfinished_draws > 0, "\n// the first " + number(habits.unfinished_draws) + " draws set redraw");
     const std::string ends = habits.by_window ? " asks the window to close" : " sets finish";
@@ -157,8 +179,11 @@ inline std::string told(const NamedLoop& loop, const LoopSession& session)
     const std::string hides = " minimises the window, and calls glfwPollEvents so that it is at once";
     say_if(habits.hiding_draw > 0, "\n// draw " + number(habits.hiding_draw) + hides);
     say_if(habits.hiding_update > 0, "\n// update " + number(habits.hiding_update) + hides);
-    say_if(session.content_scale != 1,
-           "\n// each screen coordinate has " + std::to_string(session.content_scale) + " pixels of the framebuffer");
+    if (session.content_scale != 1) {
+        std::ostringstream scale;
+        scale << session.content_scale;
+        text += "\n// each screen coordinate has " + scale.str() + " pixels of the framebuffer";
+    }
     return text + '\n' + loop.name + "(window, program, flags);\n" + input::to_text(session.script);
 }
 

@@ -16,9 +16,10 @@ public:
 
     LoopFlags flags;
     bool escape_ends = true;
-    bool closing = false;  ///< when the loop had returned, the window was asked to close
-    int heard = 0;         ///< events so far
-    int needs = 0;         ///< those that set `redraw`
+    bool closing = false;           ///< when the loop had returned, the window was asked to close
+    bool waits_for_screen = false;  ///< glfwSwapBuffers did so when the loop had returned
+    int heard = 0;                  ///< events so far
+    int needs = 0;                  ///< those that set `redraw`
     glm::dvec2 pointer{0};
 
     /// Registers the callbacks; the program must live as long as the window.
@@ -81,22 +82,34 @@ inline constexpr NamedLoop animated_loop{"run_animated_loop", run_animated_loop}
 inline constexpr NamedLoop switching_loop{"run_switching_loop", run_switching_loop};
 
 /// Runs a program by a loop until the loop returns, in a window in which a frame takes 1/64 s and a poll 1/1024 s.
-/// `closes`: the window has been asked to close before; `hides`: glfwHideWindow has been called. Tells how often the
-/// loop polled and waited.
+/// `closes`: the window has been asked to close before; `hides`: glfwHideWindow has been called; `interval`: of frames,
+/// of which those take no time where it is 0. Tells how often the loop polled and waited.
 inline input::Usage run_by(const NamedLoop& loop, ScriptedProgram& program, const input::EventScript& script,
-                           const input::HeadlessSettings& settings = {}, bool closes = false, bool hides = false)
+                           const input::HeadlessSettings& settings = {}, bool closes = false, bool hides = false,
+                           int interval = 1)
 {
-    const input::Headless session(script, settings);
+    bool is_running = true;
+    input::HeadlessSettings watched = settings;
+    watched.on_frame = [&] {
+        if (is_running && settings.on_frame) settings.on_frame();
+    };
+    const input::Headless session(script, watched);
     glfwInit();
     GLFWwindow* const window = glfwCreateWindow(240, 240, "Umbral", nullptr, nullptr);
     glfwMakeContextCurrent(window);
-    glfwSwapInterval(1);
+    glfwSwapInterval(interval);
     program.listen(window);
     if (closes) glfwSetWindowShouldClose(window, GLFW_TRUE);
     if (hides) glfwHideWindow(window);
     loop.run(window, program, program.flags);
     program.closing = glfwWindowShouldClose(window) == GLFW_TRUE;
-    return session.usage();
+    is_running = false;
+    const input::Usage usage = session.usage();
+    // GLFW does not tell the interval; how long a frame takes does.
+    const double before = glfwGetTime();
+    glfwSwapBuffers(window);
+    program.waits_for_screen = glfwGetTime() > before;
+    return usage;
 }
 
 }

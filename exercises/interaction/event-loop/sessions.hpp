@@ -30,8 +30,12 @@ inline std::vector<LoopSession> needs()
         session_of("0.05 key A press\n0.1 key R press\n0.13 key A press\n0.2 key ESCAPE press\n"),
         // A hidden window is not minimised.
         session_of("0.1 key R press\n0.2 key B press\n0.3 refresh\n0.4 key ESCAPE press\n"),
+        // Keys that mean something in other programs, and are held.
+        session_of("0.02 key F5 press\n0.04 key SPACE press\n0.06 key ENTER press\n0.08 key P press\n"
+                   "0.1 key F1 press\n0.12 key UP press\n0.14 key F11 press\n0.16 key B press\n"
+                   "0.18 key ESCAPE press\n"),
     };
-    all.back().hides = true;
+    all[all.size() - 2].hides = true;
     return all;
 }
 
@@ -47,12 +51,15 @@ inline std::vector<LoopSession> pauses()
 /// A picture that gets better with each draw, until it is finished; in the second session events come in between.
 inline std::vector<LoopSession> refinements()
 {
-    return {
+    std::vector<LoopSession> all = {
         session_of("0.5 key R press\n0.7 key ESCAPE press\n", {}, {.unfinished_draws = 24}),
         session_of("0.02 key B press\n0.03 key R press\n0.045 key B press\n0.3 key ESCAPE press\n", {},
                    {.unfinished_draws = 6}),
         session_of("0.02 key ESCAPE press\n", {}, {.unfinished_draws = 9}),
+        session_of("0.07 key ESCAPE press\n", {}, {.unfinished_draws = 3}),
     };
+    all.back().swap_interval = 0;
+    return all;
 }
 
 /// All ways to end: by flag or window, from a callback, a draw or an update, before the loop or with work left.
@@ -72,8 +79,11 @@ inline std::vector<LoopSession> endings()
         session_of("0.1 key R press\n0.3 key ESCAPE press\n", {}, {.last_update = 3, .by_window = true}),
         session_of("0.1 key R press\n0.15 key ESCAPE press\n0.2 key R press\n0.3 key X press\n", {},
                    {.escape_ends = false}),
+        session_of("0.2 key R press\n0.3 key ESCAPE press\n", at_work, {.last_update = 2, .by_window = true}),
     };
     all[6].closes = true;
+    // The program need not wait for the screen.
+    all[7].swap_interval = 0;
     return all;
 }
 
@@ -157,7 +167,9 @@ inline LoopSession random_loop_session(Random& random)
                       .by_window = random.below(2) == 0,
                       .escape_ends = random.below(2) == 0};
     session.hides = random.below(4) == 0;
-    const int idle_key = session.habits.escape_ends ? GLFW_KEY_B : GLFW_KEY_ESCAPE;
+    constexpr std::array others = {GLFW_KEY_B, GLFW_KEY_F5, GLFW_KEY_SPACE, GLFW_KEY_ENTER, GLFW_KEY_P, GLFW_KEY_F1};
+    const int other = others[random.below(static_cast<std::uint32_t>(others.size()))];
+    const int idle_key = session.habits.escape_ends ? other : GLFW_KEY_ESCAPE;
     int milliseconds = 0;
     bool iconified = false;
     bool flat = false;
