@@ -178,48 +178,60 @@ void record_outside(Random& random, Recorder& out)
     }
 }
 
+/// What a viewport has along one of its axes, and a place there.
+struct AlongAxis {
+    int corner;
+    int size;
+    float ndc;
+};
+
 /// A viewport whose middle is a border between pixels, at any place in a window; and a place beside that border, so
 /// near that the place with the corner added to it is on the border, in double too.
-void record_beside_middle(int i, Random& random, Recorder& out)
+AlongAxis beside_middle(int i, Random& random)
 {
     const int far = i % 12 == 5 ? (1 << 22) - 10'000 : 1000;
-    const int left = random_between(-far, far, random);
-    const Viewport viewport{left, 0, 2 * random_between(250, 4000, random), 1};
+    const int corner = random_between(-far, far, random);
+    const int size = 2 * random_between(250, 4000, random);
     // Multiples of the last place of a double below 1: with 1 added nothing is rounded.
     const float aside = std::ldexp(random.uniform(0.5F, 1), -36 - static_cast<int>(random.below(16)));
     const float x = 0x1p-53F * std::round(aside / 0x1p-53F);
-    record_pixel(out, viewport, {random.below(4) == 0 ? 2 * x : -x, 0});
+    return {corner, size, random.below(4) == 0 ? 2 * x : -x};
 }
 
-// The floats on both sides of a border between pixels, and the last one before 1. Half of the borders lie near the
-// middle, where floats are finest; a sixth of them in the middle itself.
+/// One of the floats on both sides of a border between pixels, or the last one before 1. Half of the borders lie near
+/// the middle, where floats are finest; a sixth of them in the middle itself.
+AlongAxis beside_border(int i, Random& random)
+{
+    if (i % 6 == 5) return beside_middle(i, random);
+    const int corner = random_between(-1000, 1000, random);
+    const int size = random_between(500, 8000, random);
+    const int border =
+        i % 2 == 0 ? random_between(1, size - 1, random) : random_between(size / 2 - 8, size / 2 + 8, random);
+    auto x = static_cast<float>((2.0 * border - size) / size);
+    if (i % 3 == 0) x = std::nextafter(x, -2.0F);
+    if (i % 3 == 1) x = std::nextafter(x, 2.0F);
+    if (i % 10 == 8) x = std::nextafter(1.0F, 0.0F);
+    return {corner, size, std::abs(x) < 1e-4F ? 0.3F : x};
+}
+
+// Columns and rows, of corners that are not those of the window.
 void record_beside_borders(Random& random, Recorder& out)
 {
     for (int i = 0; i < 300; ++i) {
-        if (i % 6 == 5) {
-            record_beside_middle(i, random, out);
-            continue;
-        }
-        const Viewport viewport{random_between(0, 1000, random), 0, random_between(500, 8000, random), 1};
-        const int middle = viewport.width / 2;
-        const int border =
-            i % 2 == 0 ? random_between(1, viewport.width - 1, random) : random_between(middle - 8, middle + 8, random);
-        auto x = static_cast<float>((2.0 * border - viewport.width) / viewport.width);
-        if (i % 3 == 0) x = std::nextafter(x, -2.0F);
-        if (i % 3 == 1) x = std::nextafter(x, 2.0F);
-        if (i % 10 == 8) x = std::nextafter(1.0F, 0.0F);
-        if (std::abs(x) < 1e-4F) x = 0.3F;
-        record_pixel(out, viewport, {x, 0});
+        const AlongAxis x = beside_border(i, random);
+        const AlongAxis y = beside_border(i / 3 + 7 * i, random);
+        record_pixel(out, {x.corner, y.corner, x.size, y.size}, {x.ndc, y.ndc});
     }
 }
 
-/// Nearly as large as floats are, of two signs or of one, so that their difference or their sum is none; or so small
-/// that their difference is 1e-12 … 1e-30.
+/// Nearly as large as floats are, of two signs or of either one, so that their difference or their sum is none; or so
+/// small that their difference is 1e-12 … 1e-30.
 glm::vec2 extreme_depths(int kind, Random& random)
 {
     constexpr float largest = std::numeric_limits<float>::max();
     if (kind == 0) return largest * glm::vec2(-random.uniform(0.6F, 1), random.uniform(0.6F, 1));
-    if (kind == 1) return largest * glm::vec2(random.uniform(0.5F, 0.7F), random.uniform(0.8F, 1));
+    const float sign = random.below(2) == 0 ? 1.0F : -1.0F;
+    if (kind == 1) return sign * largest * glm::vec2(random.uniform(0.5F, 0.7F), random.uniform(0.8F, 1));
     const float unit = std::ldexp(1.0F, -42 - static_cast<int>(random.below(60)));
     return unit * glm::vec2(random.uniform(-1, 0.4F), random.uniform(0.6F, 1));
 }

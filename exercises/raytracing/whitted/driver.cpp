@@ -50,12 +50,18 @@ void direct_random(Recorder& out, Random& random)
 {
     for (int i = 0; i < 300; ++i) {
         const glm::vec3 normal = random.unit_vector();
-        const glm::vec3 v = tilted(normal, i % 3 == 2 ? 0.98 : random.uniform(0, 0.99F), random);
+        // Every tenth viewer is right above.
+        const float sine = i % 10 == 9 ? 0.0F : random.uniform(0, 0.99F);
+        const glm::vec3 v = tilted(normal, i % 3 == 2 ? 0.98 : sine, random);
         const glm::vec3 jitter = random.in_cube();
         const glm::vec3 opposite = 2 * dot(normal, v) * normal - v;
         // Anywhere; where the viewer's mirror image stands, so that highlights are seen; and below the horizon there.
         const glm::vec3 l[] = {jitter, opposite + 0.3F * jitter, opposite - 0.45F * normal + 0.1F * jitter};
-        record_direct(out, matt(random).local, normal, v, normalize(l[i % 3]));
+        lighting::Material material = matt(random).local;
+        if (i % 7 == 0) material.specular = random_light_color(random);
+        if (i % 7 == 1) material.diffuse = glm::vec3(0);
+        if (i % 7 == 2) material.ambient = glm::vec3(0);
+        record_direct(out, material, normal, v, i % 20 == 12 ? normal : normalize(l[i % 3]));
     }
 }
 
@@ -168,7 +174,14 @@ void random_worlds(Recorder& out, Random& random)
 template <class Make>
 void looks(Recorder& out, Random& random, int count, Make make)
 {
-    for (int i = 0; i < count; ++i) record(out, make(random, static_cast<std::uint32_t>(i % 3)));
+    for (int i = 0; i < count; ++i) {
+        Look look = make(random, static_cast<std::uint32_t>(i % 3));
+        record(out, look);
+        if (i % 8 != 3) continue;
+        // The same at another level.
+        look.level = look.level < look.world.levels ? look.world.levels : 1;
+        record(out, look);
+    }
 }
 
 void record_picture(Variation& vary, Recorder& out)

@@ -15,12 +15,23 @@ inline glm::vec3 random_color(Random& random, float most = 1)
     return {red, green, random.uniform(0.05F, most)};
 }
 
+/// The same, or one of three times a colour in which one or two of red, green and blue are missing.
+inline glm::vec3 random_light_color(Random& random, float most = 1)
+{
+    glm::vec3 color = random_color(random, most);
+    if (random.below(3) > 0) return color;
+    const auto channel = static_cast<glm::length_t>(random.below(3));
+    color[channel] = 0;
+    if (random.below(2) == 0) color[(channel + 1) % 3] = 0;
+    return color;
+}
+
 /// Neither mirror nor glass. Nothing of it is black: its ambient light shows which lights are visible.
 inline Material matt(Random& random)
 {
     Material material;
     material.local = {random_color(random, 0.3F), random_color(random, 0.4F), random_color(random),
-                      random_color(random), random.uniform(1, 40)};
+                      random_color(random), random.below(6) == 0 ? random.uniform(40, 100) : random.uniform(1, 40)};
     return material;
 }
 
@@ -35,8 +46,8 @@ inline lighting::Light random_light(Random& random, float distance)
 {
     const glm::vec3 way = random.unit_vector();
     const bool is_place = random.below(2) == 0;
-    const float reach = is_place ? distance * random.uniform(0.7F, 1.3F) : std::exp2(random.uniform(-10, 10));
-    return {glm::vec4(reach * way, is_place ? 1 : 0), random_color(random, 2)};
+    const float reach = is_place ? distance * random.uniform(0.7F, 1.3F) : std::exp2(random.uniform(-40, 40));
+    return {glm::vec4(reach * way, is_place ? 1 : 0), random_light_color(random, 2)};
 }
 
 /// A unit vector at this sine from `axis`.
@@ -46,11 +57,13 @@ inline glm::vec3 tilted(const glm::vec3& axis, double sine, Random& random)
     return glm::vec3(normalize(std::sqrt(1 - sine * sine) * along + sine * perpendicular_to(along, random)));
 }
 
-/// The sine of the angle between a normal and a direction; every fifth time the direction nearly lies in the surface.
+/// The sine of the angle between a normal and a direction; every fifth time the direction nearly lies in the surface,
+/// and every tenth time it is the normal.
 inline double random_sine(Random& random, float most)
 {
     const double grazing = random.uniform(0.01F, 0.05F);
-    return random.below(5) == 0 ? std::sqrt(1 - grazing * grazing) : double{random.uniform(0, most)};
+    const std::uint32_t kind = random.below(10);
+    return kind < 2 ? std::sqrt(1 - grazing * grazing) : kind == 2 ? 0.0 : double{random.uniform(0, most)};
 }
 
 /// What light_towards is asked.
@@ -61,15 +74,24 @@ struct Look {
     int level = 1;
 };
 
-/// A point on a panel of this material, which has no edge near, looked at from either side.
+/// A point on a panel of this material, which has no edge near, looked at from either side. Every fourth panel is level
+/// or upright: its normal is an axis.
 inline Look look_at_panel(const Material& material, Random& random)
 {
-    const glm::vec3 normal = random.unit_vector();
+    glm::vec3 normal = random.unit_vector();
+    if (random.below(4) == 0) {
+        const auto axis = static_cast<glm::length_t>(random.below(3));
+        const float side = normal[axis] < 0 ? -1.0F : 1.0F;
+        normal = glm::vec3(0);
+        normal[axis] = side;
+    }
     const glm::vec3 u(8.0 * perpendicular_to(glm::dvec3(normal), random));
     const glm::vec3 v = 8.0F * normalize(cross(normal, u));
     const glm::vec3 position = 3.0F * random.in_cube();
     const glm::vec2 uv(random.uniform(0.3F, 0.7F), random.uniform(0.3F, 0.7F));
-    Look look{{}, {1, position, normal, uv, material}, tilted(normal, random_sine(random, 0.95F), random)};
+    // From how far away the point was found is no matter.
+    const float t = std::exp2(random.uniform(-5, 10));
+    Look look{{}, {t, position, normal, uv, material}, tilted(normal, random_sine(random, 0.95F), random)};
     if (random.below(2) == 0) look.v = -look.v;
     look.world.panels.push_back({position - uv.x * u - uv.y * v, u, v, material});
     look.world.levels = 3;
@@ -77,7 +99,8 @@ inline Look look_at_panel(const Material& material, Random& random)
 }
 
 /// A light and a ball in its way, and one that is not: beyond the light, behind the panel, or beside. The panel itself
-/// is in nobody's way. Every third lamp is in its way by a small globe of its own; of other lights some are far away,
+/// is in nobody's way. Every third lamp is in its way by a small globe of its own, and before others the ball is near
+/// the end of the way; of other lights some are far away,
 /// or suns of long directions, and what is in their way is small and lies close to the point. Else what is in a sun's
 /// way may be as far off as a mountain.
 inline void add_shadow_pair(std::vector<Look>& looks, int kind, Random& random)
@@ -88,17 +111,20 @@ inline void add_shadow_pair(std::vector<Look>& looks, int kind, Random& random)
     const bool is_place = kind % 2 == 0;
     const bool is_close = kind % 10 == 3 || kind % 10 == 4 || kind % 10 == 7 || kind % 10 == 8;
     const float small_number = random.uniform(2, 8);
-    const float reach = is_place ? small_number : std::exp2(random.uniform(-10, 6));
+    const float reach = is_place ? small_number : std::exp2(random.uniform(-30, 6));
     const float distance = !is_close ? reach : std::exp2(is_place ? small_number + 3 : random.uniform(7, 10));
     dark.world.sources.push_back(
         {is_place ? glm::vec4(dark.hit.position + distance * way, 1) : glm::vec4(distance * way, 0),
-         random_color(random, 2)});
-    const float share = random.uniform(0.25F, 0.75F);
+         random_light_color(random, 2)});
+    const bool near_the_end = is_place && !is_close && random.below(3) > 0;
+    const float share = near_the_end ? random.uniform(0.92F, 0.98F) : random.uniform(0.25F, 0.75F);
     const float on_the_way = is_place ? share * distance : std::exp2(random.uniform(0, 14));
     Ball ball{{}, random.uniform(0.1F, 0.3F), matt(random)};
     if (random.below(3) == 0) ball.material.refracted = 1;
     if (is_close)
         ball.radius = std::exp2(random.uniform(-12, -6));
+    else if (near_the_end)
+        ball.radius = 0.4F * (1 - share) * distance;
     else if (!is_place)
         ball.radius *= std::max(1.0F, on_the_way / 32);
     const float between = is_close ? (2 + share) * ball.radius : on_the_way;
@@ -152,12 +178,14 @@ inline void add_lights(BuiltWorld& world, std::uint32_t count, Random& random)
     for (std::uint32_t i = 0; i < count; ++i) world.sources.push_back(random_light(random, 20));
 }
 
-/// A level, which is the highest in a quarter of the questions.
+/// A level, which is the highest in a quarter of the questions, and beyond that in an eighth.
 inline void set_levels(Look& look, Random& random)
 {
     look.world.levels = 2 + static_cast<int>(random.below(7));
     const auto below_the_highest = static_cast<std::uint32_t>(look.world.levels - 1);
-    look.level = random.below(4) == 0 ? look.world.levels : 1 + static_cast<int>(random.below(below_the_highest));
+    const std::uint32_t kind = random.below(8);
+    look.level = kind < 2 ? look.world.levels : 1 + static_cast<int>(random.below(below_the_highest));
+    if (kind == 2) look.level = look.world.levels + 1 + static_cast<int>(random.below(2));
 }
 
 /// A large ball that shines, so far away in this direction that only rays without end find it.
@@ -175,7 +203,7 @@ inline Look mirror(Random& random, std::uint32_t lights)
 {
     Material material = matt(random);
     material.mirrored = random_part(random);
-    material.mirrored_color = random_color(random);
+    material.mirrored_color = random_light_color(random);
     Look look = look_at_panel(material, random);
     add_lights(look.world, lights, random);
     set_levels(look, random);
@@ -190,23 +218,28 @@ inline float random_index(Random& random)
     return kind == 0 ? 1 : kind < 3 ? above : 1 / above;
 }
 
-/// A surface between two media, at an angle that is not near the one of total reflection. There is nothing else, so
-/// that what is refracted is the sky's.
+/// A surface between two media. There is nothing else, so that what is refracted is the sky's. Of half of them total
+/// reflection is possible; these are most often just below its angle, so that the root is small, or above. Nearer than
+/// a thousandth to it there is none.
 inline Look interface_of_glass(Random& random, std::uint32_t lights)
 {
     Material material = matt(random);
     material.refracted = random_part(random);
-    material.refracted_color = random_color(random);
+    material.refracted_color = random_light_color(random);
     material.index = random_index(random);
-    const bool is_inside = random.below(2) == 0;
+    const bool is_inside = (material.index > 1) == (random.below(3) > 0);
     const double q = is_inside ? double{material.index} : 1 / double{material.index};
     double sine = random_sine(random, 0.97F);
-    // Two of three that can be reflected totally are.
-    if (q > 1.05 && random.below(3) > 0) sine = std::min(0.98, (1.05 + 0.3 * random.uniform_double()) / q);
-    if (std::abs(q * sine - 1) < 0.03) sine *= 0.9;
+    const std::uint32_t kind = q > 1.05 ? random.below(11) : 10;
+    const double near = std::pow(10.0, random.uniform(-3, -1.7F));
+    if (kind < 4) sine = (1 - near) / q;
+    if (kind == 4) sine = (1 + near) / q;
+    if (kind > 4 && kind < 10) sine = std::min(0.98, (1.05 + 0.3 * random.uniform_double()) / q);
+    if (std::abs(q * sine - 1) < 9e-4) sine *= 0.9;
     const glm::vec3 v = random.unit_vector();
     const glm::vec3 normal = tilted(v, sine, random);
-    Look look{{}, {1, random.in_cube(), is_inside ? -normal : normal, {0, 0}, material}, v};
+    const float t = std::exp2(random.uniform(-5, 10));
+    Look look{{}, {t, random.in_cube(), is_inside ? -normal : normal, {0, 0}, material}, v};
     add_lights(look.world, lights, random);
     set_levels(look, random);
     return look;
