@@ -14,14 +14,6 @@ namespace {
 /// Of more than these, what one is beside the others is no more than a list of names.
 constexpr std::size_t most_together = 5;
 
-bool have_both_signs(const QuestionTable& table, std::size_t number)
-{
-    const auto any = [&](auto is_so) {
-        return std::ranges::any_of(table.numbers, [&](const auto& row) { return is_so(row[number]); });
-    };
-    return any([](double x) { return x < 0; }) && any([](double x) { return x > 0; });
-}
-
 void add_size(std::string words, const QuestionTable& table, const auto& value, std::vector<Fact>& facts)
 {
     facts.push_back(told_fact("the size of " + std::move(words), Fact::Kind::size, table,
@@ -101,10 +93,11 @@ void add_shortest_and_longest(const QuestionTable& table, const std::vector<Vect
 void add_sizes(const QuestionTable& table, const std::vector<VectorColumns>& vectors, std::vector<Fact>& facts)
 {
     const std::vector<std::size_t> plain = plain_numbers(table, vectors);
+    // Whatever the numbers are: which facts there are must follow from names alone, so that other questions have the
+    // same.
     for (const std::size_t i : plain)
-        if (have_both_signs(table, i))
-            add_size(
-                table.names[i], table, [i](const auto& row) { return row[i]; }, facts);
+        add_size(
+            table.names[i], table, [i](const auto& row) { return row[i]; }, facts);
     add_differences(table, vectors, plain, facts);
     add_shortest_and_longest(table, vectors, facts);
 }
