@@ -9,6 +9,7 @@
 
 #include "build/traced.hpp"
 #include "explain/traced_runs.hpp"
+#include "text/joined.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -26,13 +27,10 @@ std::string lines_in_words(const std::set<int>& lines)
         ranges.back().second = line;
     }
     if (ranges.size() > most_ranges) ranges.resize(most_ranges);
-    std::string text = lines.size() == 1 ? "line " : "lines ";
-    for (std::size_t i = 0; i < ranges.size(); ++i) {
-        if (i > 0) text += i + 1 == ranges.size() ? " and " : ", ";
-        const auto [first, last] = ranges[i];
-        text += first == last ? fmt::format("{}", first) : fmt::format("{} to {}", first, last);
-    }
-    return text;
+    std::vector<std::string> words;
+    for (const auto& [first, last] : ranges)
+        words.push_back(first == last ? fmt::format("{}", first) : fmt::format("{} to {}", first, last));
+    return (lines.size() == 1 ? "line " : "lines ") + joined_with_and(words);
 }
 
 }

@@ -10,6 +10,7 @@
 #include "explain/questions_in_turn.hpp"
 #include "explain/weighed_questions.hpp"
 #include "judge/explain/thresholds.hpp"
+#include "text/joined.hpp"
 #include "worker/interface_text.hpp"
 
 namespace umbral::grader {
@@ -252,7 +253,7 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
                          fit(candidate.tally) * std::min(share, 1.0)});
     };
     if (const WeighedQuestion* const some = only_one_for_some(candidates)) {
-        add(*some, thresholds::least_sure, fmt::format("In {}: ", listed(some->speaking)));
+        add(*some, thresholds::least_sure, fmt::format("In {}: ", joined_with_and(some->speaking)));
         return found;
     }
     std::erase_if(candidates, is_unsure);
@@ -262,7 +263,7 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
     // What other checks speak against is not so of all results.
     for (const WeighedQuestion& candidate : candidates)
         add(candidate, confidence(candidate.tally),
-            candidate.tally.against_it > 0 ? fmt::format("In {}: ", listed(candidate.speaking)) : "");
+            candidate.tally.against_it > 0 ? fmt::format("In {}: ", joined_with_and(candidate.speaking)) : "");
     return found;
 }
 

@@ -5,18 +5,11 @@
 #include <algorithm>
 
 #include "question/names.hpp"
+#include "text/joined.hpp"
 
 #include <umbral/record/reflect.hpp>
 
 namespace umbral::grader {
-
-std::string listed(const std::vector<std::string>& words)
-{
-    std::string text;
-    for (std::size_t i = 0; i < words.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
-    return text;
-}
 
 std::vector<std::string> functions_of(const OtherQuestion& question)
 {
@@ -31,7 +24,7 @@ std::string in_words(const OtherQuestion& question, const std::string& headers)
     if (question.change == left_out) {
         std::vector<std::string> functions = functions_of(question);
         for (std::string& function : functions) function = reflect::last_name(function);
-        return fmt::format("all calls of {} left out", listed(functions));
+        return fmt::format("all calls of {} left out", joined_with_and(functions));
     }
     const auto words_of = [&](const std::string& function, const std::string& place) {
         if (function.empty()) return std::string(reflect::last_name(place));
@@ -45,7 +38,7 @@ std::string in_words(const OtherQuestion& question, const std::string& headers)
         std::string change = question.change;
         if (const std::size_t its = change.find(" its "); places.size() > 1 && its != std::string::npos)
             change.replace(its, 5, " their ");
-        return fmt::format("{} {}", listed(places), change);
+        return fmt::format("{} {}", joined_with_and(places), change);
     }
     const std::string other = words_of(question.function, question.other);
     if (question.change.empty()) return fmt::format("{} and {} exchanged", places.front(), other);
@@ -65,7 +58,7 @@ std::string sentence(const OtherQuestion& question, const std::string& words)
     for (std::string& function : functions) function = reflect::last_name(function);
     return fmt::format(
         "Your results are the right ones for {}: {} with {}. Look at how your code uses what it is given.",
-        functions.size() > 1 ? "other questions" : "another question", listed(functions), words);
+        functions.size() > 1 ? "other questions" : "another question", joined_with_and(functions), words);
 }
 
 }

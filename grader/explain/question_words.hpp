@@ -7,9 +7,6 @@
 
 namespace umbral::grader {
 
-/// "a, b and c"
-[[nodiscard]] std::string listed(const std::vector<std::string>& words);
-
 /// The functions whose calls are changed; one without a name means all.
 [[nodiscard]] std::vector<std::string> functions_of(const OtherQuestion& question);
 

@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "explain/moved_samples.hpp"
-#include "explain/question_words.hpp"
 #include "explain/samples.hpp"
 #include "judge/judges.hpp"
 #include "question/dependence.hpp"
 #include "question/error_dependence.hpp"
 #include "question/names.hpp"
+#include "text/joined.hpp"
 
 #include <umbral/record/reflect.hpp>
 
@@ -106,7 +106,7 @@ private:
     {
         std::vector<std::string> all;
         for (const MovedPlace& place : places) all.push_back(word(place));
-        return listed(all);
+        return joined_with_and(all);
     }
 
     const std::string& headers_;

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "explain/other_cases.hpp"
-#include "explain/question_words.hpp"
 #include "explain/samples.hpp"
+#include "text/joined.hpp"
 #include "worker/spent_on_runs.hpp"
 
 #include <umbral/record/reflect.hpp>
@@ -66,7 +66,7 @@ std::string wrong_function(Worker& worker, const AskedCheck& asked, SpareTime& t
         others.push_back(fmt::format("{} other{}", more, more == 1 ? "" : "s"));
     }
     return fmt::format("only answers of {} are wrong ({} of {}), none of {} ({})", reflect::last_name(function),
-                       count.wrong, count.all, listed(others), right);
+                       count.wrong, count.all, joined_with_and(others), right);
 }
 
 }

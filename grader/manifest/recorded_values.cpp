@@ -7,6 +7,7 @@
 #include <umbral/record/wire.hpp>
 
 #include "judge/judges.hpp"
+#include "text/joined.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -20,13 +21,10 @@ constexpr double most_scale = 1e6;
 template <class Able>
 std::string judges_that(const Able& able)
 {
-    std::string text;
-    std::vector<std::string_view> names;
+    std::vector<std::string> names;
     for (const JudgeRecord* judge : judges())
-        if (able(*judge)) names.push_back(judge->name);
-    for (std::size_t i = 0; i < names.size(); ++i)
-        text += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 == names.size() ? " and " : ", ", names[i]);
-    return text;
+        if (able(*judge)) names.push_back(fmt::format("\"{}\"", judge->name));
+    return joined_with_and(names);
 }
 
 std::array<int, 2> read_shift(const Field& field, const JudgeRecord& judge)

@@ -117,13 +117,13 @@ std::string one_line(const std::string& text)
 
 }
 
-Mutant early_return(const Node& function, const Node& body)
+Mutant early_return(const Node& function, const Node& body, const std::string& given)
 {
     Mutant mutant;
     mutant.form = Mutant::Form::inserted;
     mutant.begin = mutant.end = body.begin + 1;
     mutant.line = body.line;
-    mutant.replacement = function.type == "void" ? "return;" : "return {};";
+    mutant.replacement = function.type == "void" ? "return;" : "return " + (given.empty() ? "{}" : given) + ";";
     mutant.kind = "early return";
     mutant.change = "{ → { " + mutant.replacement;
     return mutant;

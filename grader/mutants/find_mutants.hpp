@@ -28,8 +28,8 @@ namespace umbral::grader {
 /// The same, but with the first argument of the type that is returned, of matrices with the identity if there is none.
 [[nodiscard]] std::vector<Mutant> find_echo(const Syntax& syntax);
 
-/// An early return from a function with this body.
-[[nodiscard]] Mutant early_return(const Node& function, const Node& body);
+/// An early return from a function with this body: with `given`, C++, or with nothing.
+[[nodiscard]] Mutant early_return(const Node& function, const Node& body, const std::string& given = "");
 
 /// Sorted by their places, and numbered from 1.
 [[nodiscard]] std::vector<Mutant> numbered(std::vector<Mutant> mutants);

@@ -28,9 +28,7 @@ std::vector<Mutant> early_returns(const Syntax& syntax, bool gives_back)
     for (const Node& function : syntax.functions) {
         const Node* const body = running_body(syntax, function);
         if (body == nullptr || body->children.empty() || makes_an_object(function.type)) continue;
-        mutants.push_back(early_return(function, *body));
-        const std::string given = gives_back ? given_back(function) : "";
-        if (!given.empty()) mutants.back().replacement = "return " + given + ";";
+        mutants.push_back(early_return(function, *body, gives_back ? given_back(function) : ""));
     }
     return numbered(std::move(mutants));
 }

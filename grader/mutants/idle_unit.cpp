@@ -18,8 +18,7 @@ double points(Millipoints value) { return static_cast<double>(value) / 1000; }
 IdleUnit try_idle(Worker& worker, const std::filesystem::path& finder, const Exercise& exercise, unsigned seed,
                   MutantFamily family)
 {
-    IdleUnit idle{exercise.id, 0, {}};
-    if (family == MutantFamily::echo) idle.most_credit = IdleUnit::most_credit_of_echo;
+    IdleUnit idle{exercise.id, family};
     try {
         const Toolchain& tools = worker.tools();
         const std::filesystem::path source = reference_files(tools.reference, exercise).begin()->second;

@@ -8,6 +8,7 @@
 
 #include "question/names.hpp"
 #include "question/possible_conditions.hpp"
+#include "text/joined.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -171,9 +172,7 @@ std::string told_by(const std::vector<std::string>& others)
                                    others.begin() + static_cast<std::ptrdiff_t>(std::min(most, others.size())));
     const std::size_t left = others.size() - named.size();
     if (left > 0) named.push_back(left == 1 ? "another number" : fmt::format("{} others", left));
-    const std::string last = named.back();
-    named.pop_back();
-    return fmt::format("{} and {} tell them apart as well", fmt::join(named, ", "), last);
+    return joined_with_and(named) + " tell them apart as well";
 }
 
 }

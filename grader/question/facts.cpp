@@ -16,13 +16,6 @@ namespace {
 
 constexpr std::size_t most_vectors = 12;  ///< pairs of more would be facts that nobody thinks of
 
-double dot(const std::vector<double>& row, const VectorColumns& a, const VectorColumns& b)
-{
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size; ++i) sum += row[a.first + i] * row[b.first + i];
-    return sum;
-}
-
 /// Of a place with a fourth coordinate that is not 1, as of a direction, it is no number.
 double distance(const std::vector<double>& row, const VectorColumns& a, const VectorColumns& b)
 {

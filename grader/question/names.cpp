@@ -99,15 +99,25 @@ std::string_view owner_of(std::string_view words)
     return end == std::string_view::npos ? std::string_view() : words.substr(0, end);
 }
 
+std::optional<ArgumentPlace> argument_place(std::string_view place)
+{
+    const std::size_t digit = place.starts_with("the ") ? place.rfind(' ') + 1 : 0;
+    ArgumentPlace found{place.substr(0, digit), 0, {}};
+    const char* const end = place.data() + place.size();
+    const auto [behind, error] = std::from_chars(place.data() + digit, end, found.argument);
+    if (error != std::errc()) return std::nullopt;
+    found.after = std::string_view(behind, end);
+    return found;
+}
+
 std::string in_words(std::string_view place, const std::vector<std::string>& parameters)
 {
     constexpr std::array ordinals = {"first", "second", "third", "fourth", "fifth", "sixth"};
-    const std::size_t digit = place.starts_with("the ") ? place.rfind(' ') + 1 : 0;
-    std::size_t number = 0;
-    const auto end = std::from_chars(place.data() + digit, place.data() + place.size(), number);
-    if (end.ec != std::errc()) return std::string(place);
-    const std::string before(place.substr(0, digit));
-    const std::string after(end.ptr, place.data() + place.size());
+    const std::optional<ArgumentPlace> found = argument_place(place);
+    if (!found) return std::string(place);
+    const std::size_t number = found->argument;
+    const std::string before(found->before);
+    const std::string after(found->after);
     if (number < parameters.size() && !parameters[number].empty()) return before + parameters[number] + after;
     return before + "the " + (number < ordinals.size() ? ordinals[number] : "last") + " argument" +
            (after.empty() ? "" : "'s ") + (after.starts_with('.') ? after.substr(1) : after);

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "question/names.hpp"
+#include "question/plain_conditions.hpp"
 #include "question/told_fact.hpp"
+#include "text/joined.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -27,17 +29,16 @@ void add_difference(const QuestionTable& table, std::size_t a, std::size_t b, st
         facts);
 }
 
-/// Numbers that stand for themselves: no words, no counts of lists, no parts of vectors and matrices.
-std::vector<std::size_t> plain_numbers(const QuestionTable& table, const std::vector<VectorColumns>& vectors)
+/// Numbers that stand for themselves: no words, no counts of lists, no parts of vectors and matrices. Of all numbers
+/// there are facts, before all others.
+std::vector<std::size_t> plain_numbers(const QuestionTable& table, const std::vector<Fact>& facts)
 {
     std::vector<std::size_t> plain;
     for (std::size_t i = 0; i < std::min(table.names.size(), table.answers); ++i) {
-        const std::string& name = table.names[i];
-        const bool of_vector = std::ranges::any_of(
-            vectors, [i](const VectorColumns& one) { return i >= one.first && i < one.first + one.size; });
-        const bool is_word = i < table.words.size() && !table.words[i].empty();
-        if (!of_vector && !is_word && !name.ends_with(']') && !name.ends_with("()") && !name.starts_with("the "))
-            plain.push_back(i);
+        const Fact& fact = facts[i];
+        const bool is_of_list = is_extreme_of_list(fact) || is_length_of_lists(fact) || fact.words.ends_with("()") ||
+                                fact.words.starts_with("the number of");
+        if (!fact.component && fact.value_names.empty() && !is_of_list) plain.push_back(i);
     }
     return plain;
 }
@@ -66,22 +67,20 @@ void add_shortest_and_longest(const QuestionTable& table, const std::vector<Vect
                               std::vector<Fact>& facts)
 {
     std::vector<VectorColumns> all;
-    std::string names;
-    for (const VectorColumns& one : vectors)
-        if (one.first < table.answers && quantity_of(one.words) != Quantity::light) all.push_back(one);
+    std::vector<std::string> names;
+    for (const VectorColumns& one : vectors) {
+        if (one.first >= table.answers || quantity_of(one.words) == Quantity::light) continue;
+        all.push_back(one);
+        names.push_back(one.words);
+    }
     if (all.size() < 2 || all.size() > most_together) return;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        names += (i == 0 ? "" : i + 1 == all.size() ? " and " : ", ") + all[i].words;
     const auto add = [&](std::string_view words, const auto& best) {
-        facts.push_back(told_fact(std::string(words) + names, Fact::Kind::size, table, [&](const auto& row) {
-            double found = -1;
-            for (const VectorColumns& one : all) {
-                double square = 0;
-                for (std::size_t k = 0; k < one.size; ++k) square += row[one.first + k] * row[one.first + k];
-                found = found < 0 ? square : best(found, square);
-            }
-            return std::sqrt(found);
-        }));
+        const auto length = [&](const std::vector<double>& row) {
+            double square = dot(row, all.front(), all.front());
+            for (const VectorColumns& one : all) square = best(square, dot(row, one, one));
+            return std::sqrt(square);
+        };
+        facts.push_back(told_fact(std::string(words) + joined_with_and(names), Fact::Kind::size, table, length));
         facts.back().quantity = Quantity::unknown;
     };
     add(length_of_shortest, [](double a, double b) { return std::min(a, b); });
@@ -92,7 +91,7 @@ void add_shortest_and_longest(const QuestionTable& table, const std::vector<Vect
 
 void add_sizes(const QuestionTable& table, const std::vector<VectorColumns>& vectors, std::vector<Fact>& facts)
 {
-    const std::vector<std::size_t> plain = plain_numbers(table, vectors);
+    const std::vector<std::size_t> plain = plain_numbers(table, facts);
     // Whatever the numbers are: which facts there are must follow from names alone, so that other questions have the
     // same.
     for (const std::size_t i : plain)

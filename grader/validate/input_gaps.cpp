@@ -76,7 +76,7 @@ public:
 
     void add_count(const std::string& what, std::size_t number, const std::function<bool(double)>& is_so)
     {
-        add(what, calls_.names[number], count([&](const Numbers& call) { return is_so(call[number]); }));
+        add(what, calls_.numbers[number].name, count([&](const Numbers& call) { return is_so(call[number]); }));
     }
 
     [[nodiscard]] std::vector<InputGap> found() &&
@@ -100,24 +100,24 @@ bool is_so_of_any(const CallsOfFunction& calls, std::size_t number, const std::f
 
 bool is_one_value(const CallsOfFunction& calls, std::size_t number)
 {
-    const double first = calls.runs.front().front()[number];
+    // input_gaps() is given a call at least.
+    const double first = std::ranges::find_if_not(calls.runs, &std::vector<Numbers>::empty)->front()[number];
     return !is_so_of_any(calls, number, [&](double value) { return value != first; });
 }
 
 bool is_size(std::string_view name) { return name.ends_with(".size()"); }
 
-/// Of a list: how many different elements, or the least and the largest number in them.
-bool is_of_list(std::string_view name) { return name.starts_with("the "); }
-
 void find_gaps_of_numbers(Gaps& gaps)
 {
     const CallsOfFunction& calls = gaps.calls();
-    for (std::size_t i = 0; i < calls.names.size(); ++i) {
-        if (calls.are_words[i] || is_size(calls.names[i]) || is_of_list(calls.names[i])) continue;
+    for (std::size_t i = 0; i < calls.numbers.size(); ++i) {
+        const AskedNumber& number = calls.numbers[i];
+        if (number.is_of_whole_list || is_size(number.name)) continue;
         if (is_one_value(calls, i)) {
-            gaps.add("always the same", calls.names[i], 0);
+            gaps.add("always the same", number.name, 0);
             continue;
         }
+        if (number.is_word) continue;
         const auto between = [](double value) { return value > 0 && value < 1; };
         const auto is_broken = [](double value) { return value != std::trunc(value); };
         gaps.add_count("never 0", i, [](double value) { return value == 0; });
@@ -127,24 +127,18 @@ void find_gaps_of_numbers(Gaps& gaps)
     }
 }
 
-void find_gaps_of_words(Gaps& gaps)
-{
-    const CallsOfFunction& calls = gaps.calls();
-    for (std::size_t i = 0; i < calls.names.size(); ++i)
-        if (calls.are_words[i] && is_one_value(calls, i)) gaps.add("always the same", calls.names[i], 0);
-}
-
 void find_gaps_of_lists(Gaps& gaps)
 {
     const CallsOfFunction& calls = gaps.calls();
-    for (std::size_t i = 0; i < calls.names.size(); ++i) {
-        if (!is_size(calls.names[i])) continue;
+    for (std::size_t i = 0; i < calls.numbers.size(); ++i) {
+        const std::string& size = calls.numbers[i].name;
+        if (!is_size(size)) continue;
         for (int length = 0; length < 4; ++length)
             gaps.add_count(fmt::format("never of {} elements", length), i,
                            [&](double value) { return value == length; });
-        const std::string list = calls.names[i].substr(0, calls.names[i].find(".size()"));
-        for (std::size_t k = 0; k < calls.names.size(); ++k)
-            if (calls.names[k] == "the number of different elements in " + list)
+        const std::string list = size.substr(0, size.find(".size()"));
+        for (std::size_t k = 0; k < calls.numbers.size(); ++k)
+            if (calls.numbers[k].name == "the number of different elements in " + list)
                 gaps.add("never with equal elements", list,
                          gaps.count([&](const Numbers& call) { return call[k] < call[i]; }));
     }
@@ -152,14 +146,16 @@ void find_gaps_of_lists(Gaps& gaps)
 
 void find_gaps_of_vectors(Gaps& gaps)
 {
-    const std::vector<VectorColumns> vectors = vectors_in(gaps.calls().names);
+    std::vector<std::string> names;
+    for (const AskedNumber& number : gaps.calls().numbers) names.push_back(number.name);
+    const std::vector<VectorColumns> vectors = vectors_in(names);
     const auto part = [](const Numbers& call, const VectorColumns& vector) {
         return std::span(call).subspan(vector.first, vector.size);
     };
     for (const VectorColumns& vector : vectors) {
         if (vector.size < 3) continue;
         for (std::size_t k = 0; k < vector.size; ++k)
-            gaps.add("never 0 beside others that are not", gaps.calls().names[vector.first + k],
+            gaps.add("never 0 beside others that are not", names[vector.first + k],
                      gaps.count([&](const Numbers& call) {
                          const auto numbers = part(call, vector);
                          return numbers[k] == 0 && std::ranges::count(numbers, 0) == 1;
@@ -177,10 +173,10 @@ void find_gaps_of_vectors(Gaps& gaps)
 }
 
 /// "ray" of "ray.origin.x"; of a function with one argument "ray.origin".
-std::string part_of(const CallsOfFunction& calls, std::size_t number, bool has_others)
+std::string part_of(const AskedNumber& number, bool has_others)
 {
-    const std::string& name = calls.names[number];
-    if (is_of_list(name)) return name.substr(name.rfind(' ') + 1);
+    const std::string& name = number.name;
+    if (number.is_of_whole_list) return name.substr(name.rfind(' ') + 1);
     const std::size_t point = name.find_first_of(".[");
     if (has_others || point == std::string::npos || is_size(name)) return name.substr(0, point);
     return name.substr(0, name.find_first_of(".[", point + 1));
@@ -189,10 +185,10 @@ std::string part_of(const CallsOfFunction& calls, std::size_t number, bool has_o
 /// Of code that keeps something from one call to the next.
 void find_gaps_of_order(Gaps& gaps)
 {
-    const CallsOfFunction& calls = gaps.calls();
-    const std::set<std::size_t> arguments(calls.arguments.begin(), calls.arguments.end());
+    const std::vector<AskedNumber>& numbers = gaps.calls().numbers;
+    const bool has_several = numbers.front().argument != numbers.back().argument;
     std::vector<std::string> part;
-    for (std::size_t i = 0; i < calls.names.size(); ++i) part.push_back(part_of(calls, i, arguments.size() > 1));
+    for (const AskedNumber& number : numbers) part.push_back(part_of(number, has_several));
     const std::set<std::string> parts(part.begin(), part.end());
     if (parts.size() < 2) return;
     for (const std::string& one : parts) {
@@ -216,9 +212,8 @@ void find_gaps_of_order(Gaps& gaps)
 
 std::vector<InputGap> input_gaps(const CallsOfFunction& calls)
 {
-    if (std::ranges::all_of(calls.runs, &std::vector<Numbers>::empty) || calls.names.empty()) return {};
+    if (std::ranges::all_of(calls.runs, &std::vector<Numbers>::empty) || calls.numbers.empty()) return {};
     Gaps gaps(calls);
-    find_gaps_of_words(gaps);
     find_gaps_of_numbers(gaps);
     find_gaps_of_vectors(gaps);
     find_gaps_of_lists(gaps);

@@ -6,11 +6,17 @@
 
 namespace umbral::grader {
 
+/// One of the numbers in a function's arguments.
+struct AskedNumber {
+    std::string name;               ///< in words: "ray.origin.x"
+    std::size_t argument = 0;       ///< in which one it is
+    bool is_word = false;           ///< it stands for a word, "false" or an enumerator
+    bool is_of_whole_list = false;  ///< the least number in a list, or how many are different
+};
+
 /// Calls of one function, in the order in which they were made.
 struct CallsOfFunction {
-    std::vector<std::string> names;      ///< of the numbers in its arguments, in words: "ray.origin.x"
-    std::vector<std::size_t> arguments;  ///< which argument each is a part of
-    std::vector<bool> are_words;         ///< does it stand for a word, "false" or an enumerator, and is no number?
+    std::vector<AskedNumber> numbers;
     std::vector<std::vector<std::vector<double>>> runs;  ///< for each run of a case the numbers in each call
 };
 
@@ -21,10 +27,11 @@ struct InputGap {
 };
 
 /// What is not asked of a function, or in less than a hundredth of its calls (and less than ten): numbers that are 0,
-/// 1, negative, between 0 and 1, or broken; coordinates that are 0 while others of their vector are not; vectors that
-/// are equal; lists of no, one or two elements, or with equal ones; and, in calls one after the other, the same
-/// argument beside others (code that keeps an answer by that alone is right otherwise), or another argument beside the
-/// same others (code that keeps an answer by those). Whether a unit's statement allows it, only its author knows.
+/// negative, between 0 and 1, or broken; coordinates that are 0 while others of their vector are not; vectors that are
+/// equal; lists of less than four elements, or with equal ones; and, in calls one after the other, the same argument
+/// beside others (code that keeps an answer by that alone is right otherwise), or another argument beside the same
+/// others (code that keeps an answer by those); of a function with one argument, its parts. Whether a unit's statement
+/// allows it, only its author knows.
 [[nodiscard]] std::vector<InputGap> input_gaps(const CallsOfFunction& calls);
 
 }

@@ -1,6 +1,5 @@
 #include "validate/unit_gaps.hpp"
 
-#include <charconv>
 #include <map>
 
 #include "question/log.hpp"
@@ -12,26 +11,16 @@
 namespace umbral::grader {
 namespace {
 
-/// Which argument a place is a part of: 1 of "1.x", and of "the least number in 1". What has none is a part of the
-/// first.
-std::size_t argument_of(std::string_view place)
+std::vector<AskedNumber> numbers_of(const QuestionKind& kind, const std::string& headers)
 {
-    const std::size_t digit = place.starts_with("the ") ? place.rfind(' ') + 1 : 0;
-    std::size_t argument = 0;
-    std::from_chars(place.data() + digit, place.data() + place.size(), argument);
-    return argument;
-}
-
-CallsOfFunction named_calls(const QuestionKind& kind, const std::string& headers)
-{
-    CallsOfFunction calls;
+    std::vector<AskedNumber> numbers;
     const std::vector<std::string> parameters = parameter_names(headers, kind.function);
     for (std::size_t i = 0; i < kind.features.size(); ++i) {
-        calls.names.push_back(in_words(kind.features[i], parameters));
-        calls.arguments.push_back(argument_of(kind.features[i]));
-        calls.are_words.push_back(i < kind.words.size() && !kind.words[i].empty());
+        const auto place = argument_place(kind.features[i]);
+        numbers.push_back({in_words(kind.features[i], parameters), place ? place->argument : 0,
+                           i < kind.words.size() && !kind.words[i].empty(), place && !place->before.empty()});
     }
-    return calls;
+    return numbers;
 }
 
 }
@@ -44,8 +33,8 @@ std::vector<FunctionGaps> unit_gaps(Worker& worker, const Exercise& exercise, un
         for (unsigned set = 0; set < sets; ++set) {
             const QuestionLog& log = worker.questions(exercise, name, validation_seeds(set).seed_of(exercise, name));
             for (const QuestionKind& kind : log.kinds) {
-                CallsOfFunction& calls =
-                    functions.try_emplace({kind.function, kind.features}, named_calls(kind, headers)).first->second;
+                CallsOfFunction& calls = functions[{kind.function, kind.features}];
+                if (calls.numbers.empty()) calls.numbers = numbers_of(kind, headers);
                 calls.runs.emplace_back();
                 for (const auto& [question, numbers] : kind.questions) calls.runs.back().push_back(numbers);
             }

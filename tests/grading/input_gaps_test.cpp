@@ -16,11 +16,13 @@ std::string where(const std::vector<InputGap>& gaps, const std::string& what)
     return text;
 }
 
-CallsOfFunction calls_of(std::vector<std::string> names, std::vector<std::size_t> arguments,
+CallsOfFunction calls_of(const std::vector<std::string>& names, const std::vector<std::size_t>& arguments,
                          std::vector<std::vector<double>> calls)
 {
-    const std::size_t count = names.size();
-    return {std::move(names), std::move(arguments), std::vector<bool>(count), {std::move(calls)}};
+    CallsOfFunction made{{}, {std::move(calls)}};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        made.numbers.push_back({names[i], arguments[i], false, names[i].starts_with("the ")});
+    return made;
 }
 
 TEST(InputGaps, of_numbers)
@@ -31,6 +33,9 @@ TEST(InputGaps, of_numbers)
     EXPECT_EQ(where(gaps, "never negative"), "e");
     EXPECT_EQ(where(input_gaps(calls_of({"e", "t"}, {0, 1}, {{2, 0}, {2, 1}})), "always the same"), "e");
     EXPECT_TRUE(input_gaps(calls_of({"e"}, {0}, {})).empty());
+    CallsOfFunction after_none = calls_of({"e"}, {0}, {{2}, {2}});
+    after_none.runs.insert(after_none.runs.begin(), {{}, {}});
+    EXPECT_EQ(where(input_gaps(after_none), "always the same"), "e");
 }
 
 TEST(InputGaps, of_vectors)

@@ -3,21 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <kit/channels.hpp>
 #include <vector>
 
 #include "../highlights.hpp"
 
 /// Scenes as programs have them: one eye sees many points, one after the other, of things and lights of every kind.
 namespace umbral::lighting {
-
-/// A vector with only one of its channels, or without one.
-inline glm::vec3 some_channels(Random& random, const glm::vec3& color)
-{
-    const auto one = static_cast<int>(random.below(3));
-    glm::vec3 some = color;
-    some[one] = 0;
-    return random.below(2) == 0 ? some : color - some;
-}
 
 /// 0, below 1, and up to 40, a third of each. Not far below 1: next to a cosine of 0 such powers are too steep for
 /// float.

@@ -65,7 +65,7 @@ inline PrimaryCamera steep_camera(Random& random, int axis)
     camera.eye = glm::vec3(random.below(9), random.below(9), random.below(9));
     camera.target = camera.eye + 2.0F * view;
     camera.up = random.below(2) == 0 ? view : -view;
-    const float lean = std::pow(10.0F, random.uniform(-2.9F, -1.3F));
+    const float lean = power_of_ten(random, -2.9F, -1.3F);
     const float angle = random.uniform(0, 6.28F);
     camera.up[(axis + 1) % 3] = lean * std::cos(angle);
     camera.up[(axis + 2) % 3] = lean * std::sin(angle);

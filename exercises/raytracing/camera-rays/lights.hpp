@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <string>
 #include <umbral/raytracing/camera_rays.hpp>
 #include <umbral/record/ask.hpp>
@@ -66,14 +65,7 @@ inline glm::vec3 some_color(Random& random)
 /// Light that is the same everywhere: the mean is this light. Channel by channel, as each is right by itself.
 inline void record_even_light(Recorder& out, std::string_view name, const glm::ivec3& kind, const glm::vec3& light)
 {
-    ask_for_picture(out, kind, [&] {
-        const auto digits = [](float value) {
-            char text[32];
-            std::snprintf(text, sizeof text, "%.9g", double{value});
-            return std::string(text);
-        };
-        return "light of {" + digits(light.r) + ", " + digits(light.g) + ", " + digits(light.b) + "} everywhere";
-    }());
+    ask_for_picture(out, kind, "light of " + literal::of_value(light, true, {}) + " everywhere");
     const Grid<glm::vec3> picture = render_picture({}, kind.x, kind.y, kind.z, [&](const Ray&) { return light; });
     for (int y = 0; y < kind.y; ++y)
         for (int x = 0; x < kind.x; ++x)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kit/channels.hpp>
 #include <umbral/core/random.hpp>
 
 #include "../rays.hpp"
@@ -18,12 +19,8 @@ inline glm::vec3 random_color(Random& random, float most = 1)
 /// The same, or one of three times a colour in which one or two of red, green and blue are missing.
 inline glm::vec3 random_light_color(Random& random, float most = 1)
 {
-    glm::vec3 color = random_color(random, most);
-    if (random.below(3) > 0) return color;
-    const auto channel = static_cast<glm::length_t>(random.below(3));
-    color[channel] = 0;
-    if (random.below(2) == 0) color[(channel + 1) % 3] = 0;
-    return color;
+    const glm::vec3 color = random_color(random, most);
+    return random.below(3) > 0 ? color : some_channels(random, color);
 }
 
 /// Neither mirror nor glass. Nothing of it is black: its ambient light shows which lights are visible.

@@ -35,7 +35,7 @@ void validate_idle(Application& application, const std::vector<std::string>& uni
         }
     });
     fmt::print("{} units; {} programs that do nothing earn more than {:g} %, or {:g} % by giving back questions\n",
-               exercises.size(), earning, IdleUnit{}.most_credit, IdleUnit::most_credit_of_echo);
+               exercises.size(), earning, most_idle_credit(MutantFamily::idle), most_idle_credit(MutantFamily::echo));
     if (earning > 0) application.exit_status = exit_not_right;
 }
 
