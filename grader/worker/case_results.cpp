@@ -245,7 +245,7 @@ CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutc
 
 void take_judgement(const Check& check, const Judgement& judgement, double control, CheckResult& result)
 {
-    result.score = points_for(check, judgement.right, control);
+    result.score = points_for(check, judgement, control);
     result.error = judgement.error;
     result.message = judgement.message;
     result.headline = judgement.headline;

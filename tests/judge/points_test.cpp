@@ -37,6 +37,43 @@ TEST(Points, a_control_at_the_full_mark_leaves_nothing_to_earn_but_more)
     EXPECT_EQ(points_for(worth(2000, 0, 1), std::numeric_limits<double>::quiet_NaN(), 0), 0);
 }
 
+TEST(Points, of_a_check_with_a_clearly_wrong_row_are_at_most_four_fifths)
+{
+    const auto judged = [](double right, std::size_t clearly_wrong) {
+        Judgement judgement;
+        judgement.right = right;
+        judgement.clearly_wrong = clearly_wrong;
+        return judgement;
+    };
+    EXPECT_EQ(points_for(worth(1000, 0, 1), judged(0.99, 1), 0), 800);
+    EXPECT_EQ(points_for(worth(1000, 0, 1), judged(0.99, 0), 0), 990) << "what may be rounding costs its share";
+    EXPECT_EQ(points_for(worth(1000, 0, 1), judged(0.7, 30), 0), 700) << "where the share costs more, it decides";
+    EXPECT_EQ(points_for(worth(1000, 0, 0.98), judged(0.99, 1), 0), 1000) << "a check that forgives rows";
+    Check hard = worth(1000, 0, 1);
+    hard.hard = true;
+    EXPECT_EQ(points_for(hard, judged(0.99, 1), 0), 990);
+}
+
+TEST(Points, rows_are_clearly_wrong_where_no_rounding_explains_them)
+{
+    const auto clearly_wrong = [](const Tolerance& tolerance, const std::vector<float>& yours) {
+        const Check check = check_of(JudgeKind{"numbers"}, tolerance);
+        return judge(check, floats(yours), floats({1, 2, 4}), nullptr).clearly_wrong;
+    };
+    EXPECT_EQ(clearly_wrong(absolute(0.01), {1, 2, 4}), 0U);
+    EXPECT_EQ(clearly_wrong(absolute(0.01), {1.005F, 2, 4}), 0U);
+    EXPECT_EQ(clearly_wrong(absolute(0.01), {1.07F, 2, 4}), 0U) << "wrong, but by less than eight times the bound";
+    EXPECT_EQ(clearly_wrong(absolute(0.01), {1.09F, 2, 5}), 2U);
+    EXPECT_EQ(clearly_wrong(absolute(0.01), {1, std::numeric_limits<float>::quiet_NaN(), 4}), 1U);
+    Tolerance either = absolute(0.01);
+    either.relative = 0.1;
+    EXPECT_EQ(clearly_wrong(either, {1.09F, 2, 5}), 0U) << "within eight times one of its bounds";
+
+    const Check check = check_of(JudgeKind{"numbers"}, absolute(0.01));
+    const Judgement extra = judge(check, optional_floats({1, 2}, {1, 1}), optional_floats({1, 2}, {1, 0}), nullptr);
+    EXPECT_EQ(extra.clearly_wrong, 1U) << "an answer where there is none";
+}
+
 TEST(Points, never_fall_with_more_right_and_stay_in_their_range)
 {
     const std::uint64_t seed = 20240517;

@@ -8,6 +8,11 @@
 /// half of each (of (e) and (f) a third); docs/judging.md holds the table for the other half.
 namespace umbral::grader::thresholds {
 
+// Rows of numbers and matrices. Eight times a tolerance, which has room for every right way to round, is another value.
+constexpr double clear_ratio = 8.0;
+/// The share of a check that a clearly wrong row costs at least.
+constexpr double clear_cost = 0.2;
+
 // (a) Edges: largest of the two one-way 3x3 minimum differences. Based on: the fuzzy compare of the Khronos conformance
 // suite, with the larger direction instead of the smaller, or a missing thin line would pass.
 constexpr int edge_levels = 10;

@@ -19,6 +19,7 @@ struct Scale {
 struct Deviation {
     bool right = false;   ///< at least one of the given bounds holds; never for a non-finite value
     bool within = false;  ///< the bound of the unit itself holds
+    bool clear = false;   ///< no bound would hold if each were thresholds::clear_ratio times as wide
     double error = 0;     ///< in the unit of the tolerance; infinite for a non-finite value, or relative to nothing
 };
 
