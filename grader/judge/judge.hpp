@@ -23,8 +23,8 @@ struct Judgement {
     std::string headline{};  ///< the message up to its values, for where these are shown anyway; empty: it has none
     std::string sketch{};    ///< a picture in ASCII of the first bad place; empty where there is nothing to draw
     std::optional<double> chance{};  ///< judged by statistics: the chance that correct work deviates so much
-    /// Rows so wrong that no rounding explains them: another presence, not finite, or further off than
-    /// thresholds::clear_ratio times each bound.
+    /// Rows or events so wrong that no rounding explains them: absent, too many, not finite, or further off than
+    /// thresholds::clear_ratio times each bound. Other judges count none.
     std::size_t clearly_wrong = 0;
     bool borderline = false;  ///< another run with a fresh seed must decide (JudgeRecord::judge_both)
 };
@@ -56,9 +56,9 @@ struct BestControl {
 /// Points for a fraction right: linear from max(check.zero, control) to check.full.
 [[nodiscard]] Millipoints points_for(const Check& check, double right, double control);
 
-/// Points for what was judged: those for its fraction right. Rows that are clearly wrong, however few, cost at least the
-/// share thresholds::clear_cost of a check that expects all rows right, unless it is a hard one: a case that was
-/// forgotten is a mistake, also where random inputs seldom meet it.
+/// Points for what was judged: those for its fraction right. Rows and events that are clearly wrong, however few, cost
+/// at least the share thresholds::clear_cost of a check that expects all rows right, unless it is a hard one: a case
+/// that was forgotten is a mistake, also where random inputs seldom meet it.
 [[nodiscard]] Millipoints points_for(const Check& check, const Judgement& judgement, double control);
 
 }

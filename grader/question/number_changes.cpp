@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "question/alike.hpp"
 #include "question/rounded.hpp"
@@ -65,6 +66,21 @@ std::string fraction_text(double number)
         const double above = std::round(number * below);
         if (above == below) return "";
         if (above >= 1 && above <= 2 * 12 && is_near(number, above / below)) return fmt::format("{}/{}", above, below);
+    }
+    return "";
+}
+
+/// "65535/65536": what is lost or won where the largest number of so many bits is taken for how many there are. Empty
+/// if it is none of these.
+std::string fraction_near_one(double number)
+{
+    constexpr double same_distance = 0.01;  ///< float knows a factor's distance from 1 no better
+    for (int bits = 4; bits <= 16; ++bits) {
+        const double all = std::ldexp(1, bits);
+        for (const auto& [above, below] : {std::pair(all - 1, all), {all, all - 1}, {all, all + 1}, {all + 1, all}})
+            if (is_near(number, above / below) &&
+                std::abs(number - above / below) <= same_distance * std::abs(above / below - 1))
+                return fmt::format("{}/{}", above, below);
     }
     return "";
 }
@@ -190,7 +206,8 @@ std::string constant_text(double number, bool remark)
         const std::string told = remark && *found->remark != '\0' ? fmt::format(" ({})", found->remark) : "";
         return sign + found->name + told;
     }
-    if (const std::string fraction = fraction_text(size); !fraction.empty()) return sign + fraction;
+    for (const std::string& fraction : {fraction_text(size), fraction_near_one(size)})
+        if (!fraction.empty()) return sign + fraction;
     return digits_of(number);
 }
 

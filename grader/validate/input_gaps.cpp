@@ -107,12 +107,15 @@ bool is_one_value(const CallsOfFunction& calls, std::size_t number)
 
 bool is_size(std::string_view name) { return name.ends_with(".size()"); }
 
+/// "the number of steps of the wheel until then": a count of what came before, and not what the call is given.
+bool is_count(const AskedNumber& number) { return number.name.starts_with("the number of "); }
+
 void find_gaps_of_numbers(Gaps& gaps)
 {
     const CallsOfFunction& calls = gaps.calls();
     for (std::size_t i = 0; i < calls.numbers.size(); ++i) {
         const AskedNumber& number = calls.numbers[i];
-        if (number.is_of_whole_list || is_size(number.name)) continue;
+        if (number.is_of_whole_list || is_size(number.name) || is_count(number)) continue;
         if (is_one_value(calls, i)) {
             gaps.add("always the same", number.name, 0);
             continue;
@@ -188,8 +191,11 @@ void find_gaps_of_order(Gaps& gaps)
     const std::vector<AskedNumber>& numbers = gaps.calls().numbers;
     const bool has_several = numbers.front().argument != numbers.back().argument;
     std::vector<std::string> part;
-    for (const AskedNumber& number : numbers) part.push_back(part_of(number, has_several));
-    const std::set<std::string> parts(part.begin(), part.end());
+    std::set<std::string> parts;
+    for (const AskedNumber& number : numbers) {
+        part.push_back(part_of(number, has_several));
+        if (number.is_of_whole_list || !is_count(number)) parts.insert(part.back());
+    }
     if (parts.size() < 2) return;
     for (const std::string& one : parts) {
         const auto is_same = [&](const Numbers& before, const Numbers& call, bool of_it) {

@@ -38,6 +38,14 @@ TEST(InputGaps, of_numbers)
     EXPECT_EQ(where(input_gaps(after_none), "always the same"), "e");
 }
 
+TEST(InputGaps, counts_of_what_came_before_are_no_inputs)
+{
+    const std::string steps = "the number of steps of the wheel until then";
+    const auto gaps = input_gaps(calls_of({"e", "t", steps}, {0, 1, 2}, {{2, 0, 1}, {1, -0.5, 1}, {30.5, 0.5, 1}}));
+    for (const InputGap& gap : gaps)
+        for (const std::string& one : gap.where) EXPECT_EQ(one.find("wheel"), std::string::npos) << gap.what;
+}
+
 TEST(InputGaps, of_vectors)
 {
     const std::vector<std::string> names{"a.x", "a.y", "a.z", "b.x", "b.y", "b.z"};

@@ -48,6 +48,23 @@ TEST(Events, a_lost_event_costs_itself_only)
     EXPECT_EQ(found.first_difference->expected, "zoom in (1.1)");
 }
 
+TEST(Events, are_clearly_wrong_where_no_rounding_explains_them)
+{
+    const auto clearly_wrong = [](float factor, const Tolerance& tolerance) {
+        std::vector<float> yours = session;
+        yours[10] = factor;
+        return judged(yours, session, tolerance).clearly_wrong;
+    };
+    EXPECT_EQ(clearly_wrong(1.1F, absolute(0.01)), 0U);
+    EXPECT_EQ(clearly_wrong(1.15F, absolute(0.01)), 0U) << "wrong, but by less than eight times the bound";
+    EXPECT_EQ(clearly_wrong(1.2F, absolute(0.01)), 2U) << "one came for another";
+    EXPECT_EQ(clearly_wrong(nan_f, absolute(0.01)), 2U);
+    EXPECT_EQ(clearly_wrong(1.2F, {}), 2U);
+    std::vector<float> lost = session;
+    lost.resize(lost.size() - 3);
+    EXPECT_EQ(judged(lost, session, absolute(0.01)).clearly_wrong, 1U);
+}
+
 TEST(Events, what_came_too_early_too_late_or_too_often_is_said_so)
 {
     // press, pan (3, 0), pan (4, 5), zoom in, press

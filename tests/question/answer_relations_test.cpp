@@ -79,7 +79,7 @@ TEST(AnswerRelations, call_constants_by_their_names)
     EXPECT_EQ(of_number([](double x) { return pi * x; }), "is pi times the right one");
     EXPECT_EQ(of_number([](double x) { return std::sqrt(2.0) * x; }), "is the square root of 2 times the right one");
     EXPECT_EQ(of_number([](double x) { return 2.0 / 3 * x; }), "is 2/3 times the right one");
-    EXPECT_EQ(of_number([](double x) { return 65535.0 / 65536 * x; }), "is 0.999985 times the right one");
+    EXPECT_EQ(of_number([](double x) { return 65535.0 / 65536 * x; }), "is 65535/65536 times the right one");
     EXPECT_EQ(of_number([](double x) { return x - pi / 2; }), "is the right one minus pi/2");
     EXPECT_EQ(of_number([](double x) { return pi / 180 * x + 0.5; }),
               "is pi/180 (degrees to radians) times the right one plus 0.5");
@@ -93,6 +93,11 @@ TEST(AnswerRelations, call_constants_by_their_names)
     EXPECT_EQ(multiple(std::numbers::ln2).tells, CommonTells::other) << "it has a name";
     EXPECT_EQ(multiple(-1).tells, CommonTells::opposite);
     EXPECT_EQ(constant_text(INFINITY), "inf");
+    EXPECT_EQ(constant_text(65535.0 / 65536), "65535/65536");
+    EXPECT_EQ(constant_text(256.0 / 255), "256/255");
+    EXPECT_EQ(constant_text(255.0 / 256), "255/256");
+    EXPECT_EQ(constant_text(-256.0 / 257), "-256/257");
+    EXPECT_EQ(constant_text(0.99712), "0.99712");
 }
 
 TEST(AnswerRelations, find_quotients_upside_down)

@@ -8,7 +8,8 @@
 /// half of each (of (e) and (f) a third); docs/judging.md holds the table for the other half.
 namespace umbral::grader::thresholds {
 
-// Rows of numbers and matrices. Eight times a tolerance, which has room for every right way to round, is another value.
+// Rows of numbers and matrices, and events. Eight times a tolerance, which has room for every right way to round, is
+// another value.
 constexpr double clear_ratio = 8.0;
 /// The share of a check that a clearly wrong row costs at least.
 constexpr double clear_cost = 0.2;
