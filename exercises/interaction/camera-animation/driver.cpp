@@ -1,6 +1,8 @@
 #include <array>
+#include <kit/numbers_changed.hpp>
 #include <kit/refusal.hpp>
 #include <limits>
+#include <tuple>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -90,6 +92,12 @@ void record_random(Recorder& out, Random& random)
             record(out, flight, flight.duration * u);
             record(out, other, flight.duration * u);
         }
+        if (i % 10 != 0) continue;
+        // One number after the other is another.
+        const std::tuple asked(flight, flight.duration * random.uniform());
+        const auto is_allowed = [](const auto& question) { return std::get<0>(question).duration > 0; };
+        for (const auto& [changed, seconds] : numbers_changed(random, asked, 14, is_allowed))
+            record(out, changed, seconds);
     }
 }
 

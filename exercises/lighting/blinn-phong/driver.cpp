@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <kit/numbers_changed.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -49,6 +51,14 @@ Shine lit_from_behind(Random& random)
     return shine;
 }
 
+bool is_allowed(const Glance& g) { return g.e >= 0; }
+
+bool is_allowed(const Shine& s)
+{
+    const auto is_light = [](const Light& light) { return light.position.w == 0 || light.position.w == 1; };
+    return std::ranges::all_of(s.lights, is_light) && s.material.shininess >= 1;
+}
+
 void at_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
@@ -59,6 +69,11 @@ void at_random(Random& random, Recorder& out)
         record(out, shine);
         if (i % 5 != 0) continue;
         for (const Shine& changed : changed_one_by_one(random, shine)) record(out, changed);
+        for (const auto& changed : numbers_changed(random, random_glance(random, 1, 40, 0.8F), 6,
+                                                   [](const Glance& g) { return is_allowed(g); }))
+            record(out, changed);
+        for (const auto& changed : numbers_changed(random, shine, 6, [](const Shine& s) { return is_allowed(s); }))
+            record(out, changed);
     }
 }
 

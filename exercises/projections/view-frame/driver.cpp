@@ -1,4 +1,6 @@
+#include <kit/numbers_changed.hpp>
 #include <kit/scene.hpp>
+#include <tuple>
 #include <umbral/projections/view_frame.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
@@ -107,6 +109,21 @@ Direction random_direction_of_kind(Random& random, int kind)
     return from;
 }
 
+/// One number of a view after the other is another.
+void record_changed(Random& random, Recorder& out)
+{
+    constexpr float least_sine = 0.1F;
+    const auto has_a_frame = [](const ViewParameters& view) {
+        return length(cross(view.up, view.normal)) > least_sine * length(view.up) * length(view.normal);
+    };
+    for (const ViewParameters& view : numbers_changed(random, random_view(random), 9, has_a_frame))
+        record_frame(out, view);
+    const std::tuple asked(5.0F * random.in_cube(), random.uniform(0.5F, 8), random_direction(random, 180));
+    const auto is_apart = [](const auto& question) { return std::get<1>(question) > 0; };
+    for (const auto& [target, distance, from] : numbers_changed(random, asked, 7, is_apart))
+        record_view(out, target, distance, from);
+}
+
 void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 200; ++i) {
@@ -115,6 +132,7 @@ void record_random(Random& random, Recorder& out)
         const float distance = random.uniform(0.5F, 8);
         const float size = i / 4 % 4 == 0 ? std::ldexp(1.0F, static_cast<int>(random.below(61)) - 30) : 1;
         record_view(out, target, distance, random_direction_of_kind(random, i % 4), size);
+        if (i % 20 == 0) record_changed(random, out);
     }
 }
 

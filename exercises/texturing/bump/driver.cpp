@@ -204,6 +204,11 @@ Frame random_frame(Random& random, float stretch)
 {
     Frame frame;
     frame.n = random.unit_vector();
+    // One in eight is an axis.
+    if (const std::uint32_t axis = random.below(24); axis < 3) {
+        frame.n = glm::vec3(0);
+        frame.n[static_cast<int>(axis)] = random.below(2) == 0 ? 1.0F : -1.0F;
+    }
     const glm::vec3 other = std::abs(frame.n.x) < 0.6F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
     const glm::vec3 side = normalize(cross(frame.n, other));
     const float lean = random.below(2) == 0 ? 0 : random.uniform(-0.7F, 0.7F);
