@@ -45,6 +45,14 @@ inline void record_odd_times(Recorder& out, Random& random)
             out.append("place", glm::vec3(ask<&BouncingBall::position>(out, *ball)));
         }
     }
+    for (const BallLaunch& launch : special_launches(random)) {
+        const std::unique_ptr<BouncingBall> ball = ask_new<make_bouncing_ball>(out, "ball", launch);
+        if (!ball) continue;
+        for (int k = 0; k < 12; ++k) {
+            ask<&BouncingBall::advance>(out, *ball, 60'000 + random.below(60'000));
+            out.append("place", glm::vec3(ask<&BouncingBall::position>(out, *ball)));
+        }
+    }
     // Steep throws, looked at in the air after one long call, in which some have met the floor and kept all of their
     // speed, or only when an hour has gone by in one.
     for (int i = 0; i < 12; ++i) {

@@ -1,3 +1,4 @@
+#include <kit/numbers_changed.hpp>
 #include <kit/refusal.hpp>
 #include <limits>
 #include <numbers>
@@ -40,6 +41,15 @@ void record_random_turns(Recorder& out, Random& random)
         const UnitQuaternion from = random_orientation(random);
         const UnitQuaternion to = random_orientation(random);
         record_slerp(out, from, to, random_part(random, i));
+        if (i % 10 != 0) continue;
+        // Another end, another beginning, and then turns whose axes lack a coordinate; each alone is another one.
+        const float u = random.uniform(0.1F, 0.9F);
+        const UnitQuaternion end = about_flat_axis(random, i / 10 % 3);
+        for (const auto& [one, other] : {std::pair(from, end),
+                                         {to, end},
+                                         {about_flat_axis(random, (i / 10 + 1) % 3), end},
+                                         {UnitQuaternion{}, end}})
+            record_slerp(out, one, other, u);
     }
 }
 
@@ -117,6 +127,23 @@ void record_random_frames(Recorder& out, Random& random)
         for (int k = 0; k < 4; ++k) record_pose(out, frames, random_time(random, frames));
         record_pose(out, frames, frames[random.below(static_cast<std::uint32_t>(frames.size()))].seconds);
     }
+    // The same time in other frames: each has moved in turn, along one axis mostly. Then nothing moves from one to the
+    // next; and the last one comes twice.
+    for (int i = 0; i < 12; ++i) {
+        std::vector<KeyFrame> frames = frames_with_cut(random);
+        const float part = random.uniform(0.1F, 0.9F);
+        const float seconds = frames[0].seconds + part * (frames[1].seconds - frames[0].seconds);
+        for (std::size_t k = 0; k < 2; ++k) {
+            frames[k].position[i % 3] = i % 2 == 0 ? 0 : frames[k].position[i % 3] + random.uniform(1, 3);
+            record_pose(out, frames, seconds);
+            frames[k].orientation = about_flat_axis(random, i % 3);
+            record_pose(out, frames, seconds);
+        }
+        frames[1].position = frames[0].position;
+        record_pose(out, frames, seconds);
+        frames.push_back(frames.back());
+        for (const float later : {0.0F, 1.0F}) record_pose(out, frames, frames.back().seconds + later);
+    }
     // Hardly before a cut, where rounding has no say yet.
     for (int i = 0; i < 12; ++i) {
         const std::vector<KeyFrame> frames = frames_with_cut(random);
@@ -150,6 +177,16 @@ void record_rolling(Recorder& out, Random& random)
         const glm::vec2 way = 4.0F * glm::vec2(random.in_cube());
         record(way, random.uniform(0.2F, 3));
     }
+    for (int i = 0; i < 6; ++i) {
+        // The same way on another ball, and along one axis only.
+        const float radius = random.uniform(0.5F, 2);
+        const glm::vec2 way = 3.0F * glm::vec2(random.in_cube());
+        record(way, radius);
+        record(way, radius * random.uniform(1.2F, 1.8F));
+        record({way.x, 0}, radius);
+        record({0, way.y}, radius);
+        record({way.x, way.x}, radius);
+    }
     for (const float size : {1e-12F, 1e-8F, 1e-4F, 1e4F, 1e8F})
         for (int i = 0; i < 3; ++i) {
             const glm::vec2 way = 4.0F * size * glm::vec2(random.in_cube());
@@ -173,6 +210,32 @@ void record_skeleton(Recorder& out, const TwoBoneSkeleton& skeleton, const Skele
     out.append("hand", hand);
 }
 
+using Skin = std::tuple<TwoBoneSkeleton, glm::vec3, float>;
+
+/// Skeletons, points and weights that differ in one number each, which may be 0, with the same pose; then one joint
+/// after the other is turned about an axis that lacks a coordinate, or not at all.
+std::vector<std::pair<Skin, SkeletonPose>> changed_skins(Random& random)
+{
+    const auto allowed = [](const Skin& skin) {
+        const auto& [skeleton, rest, weight] = skin;
+        return skeleton.upper_length > 0.1F && skeleton.lower_length > 0.1F && weight <= 1;
+    };
+    std::vector<std::pair<Skin, SkeletonPose>> all;
+    for (int i = 0; i < 8; ++i) {
+        SkeletonPose pose = random_skeleton_pose(random);
+        const TwoBoneSkeleton skeleton = random_skeleton(random);
+        const glm::vec3 rest = skeleton.shoulder + 2.0F * random.in_cube();
+        for (const Skin& skin : numbers_changed(random, Skin(skeleton, rest, random.uniform(0.1F, 0.9F)), 6, allowed))
+            all.emplace_back(skin, pose);
+        for (const bool is_turned : {true, false})
+            for (UnitQuaternion* const joint : {&pose.elbow, &pose.shoulder}) {
+                *joint = is_turned ? about_flat_axis(random, i % 3) : UnitQuaternion{};
+                all.emplace_back(all.back().first, pose);
+            }
+    }
+    return all;
+}
+
 void record_skeletons(Recorder& out, Random& random)
 {
     const UnitQuaternion quarter = about({0, 0, 1}, pi / 2);
@@ -183,6 +246,7 @@ void record_skeletons(Recorder& out, Random& random)
         const TwoBoneSkeleton skeleton = random_skeleton(random);
         record_skeleton(out, skeleton, random_skeleton_pose(random));
     }
+    for (const auto& [skin, pose] : changed_skins(random)) record_skeleton(out, std::get<0>(skin), pose);
 }
 
 void record_skin(Recorder& out, Random& random)
@@ -192,6 +256,10 @@ void record_skin(Recorder& out, Random& random)
         const SkeletonPose pose = random_skeleton_pose(random);
         const glm::vec3 rest = skeleton.shoulder + 2.0F * random.in_cube();
         out.append("point", ask<skinned_point>(out, skeleton, pose, rest, random_part(random, i)));
+    }
+    for (const auto& [skin, pose] : changed_skins(random)) {
+        const auto& [skeleton, rest, lower_weight] = skin;
+        out.append("point", ask<skinned_point>(out, skeleton, pose, rest, lower_weight));
     }
 }
 

@@ -24,6 +24,15 @@ inline UnitQuaternion random_orientation(Random& random)
     return about(axis, 6.2 * random.uniform_double());
 }
 
+/// About an axis that lies in a plane of two axes, or along one: a coordinate is 0, or two are.
+inline UnitQuaternion about_flat_axis(Random& random, int missing)
+{
+    glm::dvec3 axis(random.unit_vector());
+    axis[missing] = 0;
+    if (random.below(3) == 0) axis[(missing + 1) % 3] = 0;
+    return about(axis, 0.3 + 2.2 * random.uniform_double());
+}
+
 /// One turn after another: the right one acts first.
 inline UnitQuaternion product(const UnitQuaternion& a, const UnitQuaternion& b)
 {
@@ -128,6 +137,22 @@ inline BallLaunch random_launch(Random& random)
     launch.velocity = glm::dvec3(4.0F * random.in_cube());
     launch.bounce = 0.85 + 0.1 * random.uniform_double();
     return launch;
+}
+
+/// The ball is only let go; then it is thrown up from the floor, and at last straight up, above the world's origin,
+/// where it keeps nothing of its speed when it is back.
+inline std::vector<BallLaunch> special_launches(Random& random)
+{
+    BallLaunch dropped = random_launch(random);
+    dropped.velocity = glm::dvec3(0);
+    BallLaunch thrown = dropped;
+    thrown.position.y = 0;
+    thrown.velocity = {random.uniform(-2, 2), random.uniform(3, 5), 0};
+    BallLaunch straight = thrown;
+    straight.position = glm::dvec3(0);
+    straight.velocity = {0, random.uniform(3, 5), 0};
+    straight.bounce = 0;
+    return {dropped, thrown, straight};
 }
 
 /// A ball thrown straight up, which comes down after half a second or later. Where it does not keep all of its speed it

@@ -26,6 +26,12 @@ void record_matrices(Recorder& out, Random& random)
         if (i % 10 == 0) pixel[i / 10 % 2] = i % 40 < 20 ? far_off : -far_off;
         const float size = i % 3 == 0 && i % 10 != 0 ? std::exp2(random.uniform(-4, 12)) : random.uniform(1, 40);
         out.append("matrix", ask<pick_matrix>(out, pixel, size, picture));
+        // The same pixel in a larger square, and in another picture, of which it may be the size.
+        if (i % 10 != 1) continue;
+        for (const glm::ivec2& other :
+             {picture, {picture.x, picture.y + 1}, {picture.x + 1, picture.y + 1}, pixel + 300})
+            out.append("matrix", ask<pick_matrix>(out, pixel, size + 3, glm::max(other, 1)));
+        out.append("matrix", ask<pick_matrix>(out, picture, 1 + size / 64, picture));
     }
 }
 
@@ -255,24 +261,6 @@ void record_overflow(Recorder& out, Random& random)
             const bool is_known = count > 0 && !written.empty();
             out.append("next names", is_known ? std::optional(static_cast<float>(written.front())) : std::nullopt);
         }
-    }
-}
-
-void record_limits(Recorder& out, Random& random)
-{
-    const auto buffer = ask_new<make_selection_buffer>(out, "buffer", std::size_t{400});
-    if (!buffer) return;
-    for (int round = 0; round < 2; ++round) {
-        const std::uint32_t almost = 60 + random.below(5);
-        for (std::uint32_t i = 0; i < almost; ++i) carry_out(out, *buffer, push(i));
-        for (int i = 0; i < 5; ++i) carry_out(out, *buffer, push(1000));
-        carry_out(out, *buffer, note(0, 1));
-        carry_out(out, *buffer, push(2000));
-        carry_out(out, *buffer, note(0, 0));
-        carry_out(out, *buffer, load(3000));
-        for (int i = 0; i < 67; ++i) carry_out(out, *buffer, pop());
-        carry_out(out, *buffer, load(1));
-        record_end(out, *buffer, 80);
     }
 }
 

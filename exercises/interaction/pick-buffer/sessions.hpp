@@ -44,7 +44,8 @@ inline std::vector<NameCommand> random_commands(Random& random, int count)
 {
     std::vector<NameCommand> commands;
     for (int i = 0; i < count; ++i) {
-        const std::uint32_t name = random.bits();
+        // Also 0, which is a name like others, and small ones.
+        const std::uint32_t name = i % 8 == 3 ? 0 : i % 8 == 6 ? random.below(3) : random.bits();
         const NameCommand primitive = random_note(random);
         const std::uint32_t kind = random.below(16);
         if (kind < 7)
@@ -141,6 +142,25 @@ inline SelectionRecord record_of_many_names(Random& random)
     record.names.resize(SelectionBuffer::most_names + 1 + random.below(20));
     for (std::uint32_t& name : record.names) name = random.bits();
     return record;
+}
+
+/// Sixty names and more: as many as there is room for, and those that are refused.
+inline void record_limits(Recorder& out, Random& random)
+{
+    const auto buffer = ask_new<make_selection_buffer>(out, "buffer", std::size_t{400});
+    if (!buffer) return;
+    for (int round = 0; round < 2; ++round) {
+        const std::uint32_t almost = 60 + random.below(5);
+        for (std::uint32_t i = 0; i < almost; ++i) carry_out(out, *buffer, push(i));
+        for (int i = 0; i < 5; ++i) carry_out(out, *buffer, push(1000));
+        carry_out(out, *buffer, note(0, 1));
+        carry_out(out, *buffer, push(2000));
+        carry_out(out, *buffer, note(0, 0));
+        carry_out(out, *buffer, load(3000));
+        for (int i = 0; i < 67; ++i) carry_out(out, *buffer, pop());
+        carry_out(out, *buffer, load(1));
+        record_end(out, *buffer, 80);
+    }
 }
 
 }

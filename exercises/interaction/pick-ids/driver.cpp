@@ -1,7 +1,7 @@
-#include <kit/refusal.hpp>
 #include <umbral/gl/record_trace.hpp>
 #include <umbral/record/driver.hpp>
 
+#include "colors.hpp"
 #include "gallery.hpp"
 #include "state.hpp"
 
@@ -30,31 +30,6 @@ void record_ids(Recorder& out, const Grid<std::uint32_t>& ids, const EdgesInPict
             out.append("ids", is_square ? std::optional(static_cast<float>(ids.at(cell.x, cell.y))) : std::nullopt);
             out.append("ids.margin", edges.distance(pixel + glm::ivec2(x, y)));
         }
-}
-
-void record_colors(Recorder& out, Random& random)
-{
-    out.columns("color", "red, green, blue");
-    const auto record_color = [&](std::uint32_t id) { out.append("color", glm::vec3(ask<color_of_id>(out, id))); };
-    for (const std::uint32_t id : {123456U, 0U, 1U, 255U, 256U, 65535U, 65536U, 0xFFFFFFU, 0x010203U, 0x804000U})
-        record_color(id);
-    for (int i = 0; i < 100; ++i) record_color(random.below(1U << (1 + random.below(24))));
-
-    const auto record_id = [&](const glm::u8vec3& color) {
-        out.append("id", static_cast<float>(ask<id_of_color>(out, color)));
-    };
-    for (const glm::u8vec3& color : {glm::u8vec3(64, 226, 1), {0, 0, 0}, {255, 255, 255}, {1, 2, 3}, {0, 0, 200}})
-        record_id(color);
-    for (int i = 0; i < 100; ++i) record_id(glm::u8vec3(128.0F + 127.9F * random.in_cube()));
-
-    for (int i = 0; i < 24; ++i) {
-        const std::uint32_t too_large = i == 1 ? ~0U : (1U << 24U) + (i == 0 ? 0 : random.bits() >> 1U);
-        const bool first = random.below(2) == 0;
-        for (const bool fits : {first, !first}) {
-            record_refusal(out, "refused",
-                           [&] { return ask<color_of_id>(out, fits ? too_large % (1U << 24U) : too_large); });
-        }
-    }
 }
 
 // The middle counts before all others, a pixel straight beside it before one across, and of equals the upper and left
@@ -118,12 +93,39 @@ void record_scene(Recorder& out, Random& random, const Made& picker, const Rando
     }
 }
 
+/// The same picture and place again, with other ids, seen from elsewhere, with other meshes, and with fewer things or
+/// none: of what was drawn before nothing may be left.
+void record_changed_scene(Recorder& out, Random& random, const Made& picker, RandomScene made)
+{
+    const auto target = static_cast<std::size_t>(random_up_to(static_cast<int>(made.targets.size()), random));
+    const glm::ivec2 pixel = made.targets[target];
+    const auto record = [&] {
+        const EdgesInPicture edges(made.scene, made.picture);
+        record_ids(out, ids_of(out, picker, made.scene, made.picture, pixel, 1), edges, pixel, 1);
+    };
+    record();
+    for (PickThing& thing : made.scene.things)
+        if (thing.id != 0) thing.id = random_id(random);
+    record();
+    for (PickMesh& mesh : made.scene.meshes)
+        for (glm::vec3& position : mesh.positions) position *= 0.1F;
+    record();
+    const glm::vec3 aside(0.4F * glm::vec2(random.in_cube()), 0);
+    made.scene.view = glm::translate(glm::mat4(1), aside) * made.scene.view;
+    record();
+    made.scene.things.resize(1);
+    record();
+    made.scene.things.clear();
+    record();
+}
+
 void record_random(Recorder& out, Random& random)
 {
     for (int i = 0; i < 12; ++i) {
         const RandomScene made = random_scene(random);
         const Made picker = ask_new<make_id_picker>(out, "picker");
         record_scene(out, random, picker, made, 12, i % 3);
+        if (i % 3 == 0) record_changed_scene(out, random, picker, made);
     }
     for (int i = 0; i < 12; ++i) {
         const RandomScene made = layered_scene(random);

@@ -5,6 +5,7 @@
 
 #include "anamorphosis.hpp"
 #include "snap_cameras.hpp"
+#include "special_questions.hpp"
 
 namespace umbral {
 namespace {
@@ -68,29 +69,6 @@ void record_linear(Variation& vary, Recorder& out)
     for (const glm::ivec2& pixel : {glm::ivec2(0, 0), {3, 1}, {0, 1}, {3, 0}, {1, 0}, {-1, 2}})
         for (const ViewLimits& shown : {ViewLimits{0, 4, 0, 2}, {10, 12, -7, -6}, {1, -1, 3, -1}})
             out.append("world", ask<pixel_in_world>(out, pixel, other(shown), glm::ivec2(4, 2)));
-}
-
-/// Limits of thousands, as of a map in metres, that put the pixel near the origin.
-ViewLimits map_limits(glm::ivec2 pixel, glm::ivec2 size, Random& random)
-{
-    const double width = between(3e3, 1e4, random);
-    const double height = between(3e3, 1e4, random);
-    const double left = between(-20.0, 20.0, random) - width * (pixel.x + 0.5) / size.x;
-    const double top = between(-20.0, 20.0, random) + height * (pixel.y + 0.5) / size.y;
-    return {left, left + width, top - height, top};
-}
-
-/// One in four is mirrored, in each direction on its own.
-ViewLimits random_limits(Random& random)
-{
-    const auto length = [&] {
-        const double unsigned_length = between(0.5, 30.0, random);
-        return random.below(4) == 0 ? -unsigned_length : unsigned_length;
-    };
-    const double left = between(-20.0, 20.0, random);
-    const double bottom = between(-20.0, 20.0, random);
-    const double width = length();
-    return {left, left + width, bottom, bottom + length()};
 }
 
 void record_random_linear(Recorder& out, Random& random)
@@ -177,7 +155,9 @@ void record_random_planes(Recorder& out, Random& random)
         const glm::dvec3 ahead = at_depth(1) - nearest;
         // A normal that leans towards the ray, of any length.
         const glm::dvec3 lean = glm::normalize(ahead) + 0.85 * glm::dvec3(random.in_cube());
-        const glm::dvec3 normal = between(0.2, 5.0, random) * (random.below(2) == 0 ? lean : -lean);
+        glm::dvec3 normal = between(0.2, 5.0, random) * (random.below(2) == 0 ? lean : -lean);
+        // Planes as floors, walls and ramps are: one coordinate of the normal is 0, or two are.
+        if (i % 5 == 1) normal = along_axes(ahead, random);
         const bool sees_behind = camera.projection[3][3] == 1;
         const double distance = between(0.5, 12.0, random);
         const double behind_or_beyond = sees_behind ? -distance : 20 * distance;
@@ -201,6 +181,7 @@ void record_moves(Recorder& out, Random& random)
     for (unsigned buttons = 0; buttons < 8; ++buttons)
         out.append("cursor", glm::vec3(ask<moved_cursor>(out, glm::dvec3(1, 2, 3), glm::dvec2(8, 5), buttons,
                                                          ViewLimits{-4, 4, -1, 2}, glm::ivec2(64, 30))));
+    record_changed_moves(out, random);
     for (int i = 0; i < 150; ++i) {
         const glm::dvec3 cursor(5.0F * random.in_cube());
         const glm::dvec2 motion(between(-90.0, 90.0, random), between(-70.0, 70.0, random));
@@ -212,6 +193,7 @@ void record_moves(Recorder& out, Random& random)
 
 void record_views(Recorder& out, Random& random)
 {
+    record_changed_views(out, random);
     for (int i = 0; i < 60; ++i) {
         const glm::dvec3 cursor = i == 0 ? glm::dvec3(1, 2, 3) : glm::dvec3(5.0F * random.in_cube());
         const glm::dvec2 place = i == 0 ? glm::dvec2(7, 8) : glm::dvec2(random.in_cube());
@@ -253,6 +235,11 @@ void record_random_angles(Recorder& out, Random& random)
         // Cursors have fractions: the way may be as short as a thousandth, or a millionth.
         if (i % 3 == 0) cursor = reference + (cursor - reference) * std::exp2(between(-30.0, -10.0, random));
         out.append("angle", as_row(ask<entered_angle>(out, reference, cursor)));
+        // The same cursor about another reference point; one that is straight above it, or straight to the right.
+        if (i % 4 != 0) continue;
+        const glm::dvec2 other = cursor + glm::dvec2(between(3.0, 90.0, random), between(3.0, 90.0, random));
+        for (const glm::dvec2& from : {other, {cursor.x, other.y}, {other.x, cursor.y}, {-other.x, -other.y}, {0, 0}})
+            out.append("angle", as_row(ask<entered_angle>(out, from, cursor)));
     }
 }
 
@@ -269,7 +256,8 @@ Image heart(Variation& vary, Recorder& out)
 const Driver driver = {
     {"pixels", [](Case& c, Recorder& out) { record_pixels(out, c.random); }},
     {"linear", [](Case& c, Recorder& out) { record_linear(c.vary, out); }},
-    {"random linear", [](Case& c, Recorder& out) { record_random_linear(out, c.random); }},
+    {"random linear",
+     [](Case& c, Recorder& out) { record_random_linear(out, c.random), record_changed_linear(out, c.random); }},
     {"planes", [](Case& c, Recorder& out) { record_planes(c.vary, out); }},
     {"random planes", [](Case& c, Recorder& out) { record_random_planes(out, c.random); }},
     {"moves", [](Case& c, Recorder& out) { record_moves(out, c.random); }},

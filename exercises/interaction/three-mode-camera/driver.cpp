@@ -194,6 +194,10 @@ void record_random(Recorder& out, Random& random)
     for (int i = 0; i < 8; ++i) {
         ThreeModeSettings settings = random_three_mode(random);
         settings.mode = static_cast<CameraMode>(random.below(3));
+        // Beside a thing that is smaller than 1.
+        if (i % 4 == 3)
+            for (double* const length : {&settings.distance, &settings.min_distance, &settings.max_distance})
+                *length *= 0.15;
         record(out, settings, random_steps(random, 80));
     }
 }

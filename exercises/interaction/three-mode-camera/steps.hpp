@@ -98,10 +98,12 @@ inline std::vector<ThreeModeStep> random_steps(Random& random, int count, const 
     std::vector<ThreeModeStep> steps;
     for (int i = 0; i < count; ++i) {
         const std::uint32_t kind = random.below(20);
-        const double right = random_length(random, 0.7);
-        const double up = random_length(random, 0.5);
+        // Keys go to one side only, and things stand on the same floor.
+        const double right = i % 5 == 3 ? 0 : random_length(random, 0.7);
+        const double up = i % 5 == 1 ? 0 : random_length(random, 0.5);
         const double back = random_length(random, 2);
-        const glm::dvec3 point = middle + random_point(random, random.below(4) == 0 ? 40 : 4);
+        glm::dvec3 point = middle + random_point(random, random.below(4) == 0 ? 40 : 4);
+        if (i % 4 == 2) point[i / 4 % 3] = middle[i / 4 % 3];
         const double odd = nonsense[random.below(2)];
         if (kind < 10)
             steps.push_back(move_xy(right, up));

@@ -51,29 +51,70 @@ Shine lit_from_behind(Random& random)
     return shine;
 }
 
-bool is_allowed(const Glance& g) { return g.e >= 0; }
+using Directions = std::pair<glm::vec3, glm::vec3>;
+
+// Single numbers changed must leave what float can answer within the tolerances: no small difference of large numbers,
+// and no power below 1 of a cosine next to 0, which rises steeply there.
+
+glm::vec3 unit_or_null(const glm::vec3& v) { return v == glm::vec3(0) ? v : normalize(v); }
+
+bool is_allowed(const Directions& d)
+{
+    const bool has_null = d.first == glm::vec3(0) || d.second == glm::vec3(0);
+    return has_null || length(normalize(d.first) + normalize(d.second)) > 0.44F;
+}
+
+bool is_allowed(const Glance& g)
+{
+    const glm::vec3 n = unit_or_null(g.normal);
+    const glm::vec3 l = unit_or_null(g.l);
+    const glm::vec3 v = unit_or_null(g.v);
+    const bool is_steep = g.e > 0 && g.e < 1 && std::abs(dot(n, l + v)) < 0.02F;
+    return g.e >= 0 && !is_steep && is_allowed(Directions(g.l, g.v));
+}
 
 bool is_allowed(const Shine& s)
 {
-    const auto is_light = [](const Light& light) { return light.position.w == 0 || light.position.w == 1; };
-    return std::ranges::all_of(s.lights, is_light) && s.material.shininess >= 1;
+    const glm::vec3 v = s.eye - s.at.position;
+    return length(v) > 0.25F && std::ranges::all_of(s.lights, [&](const Light& light) {
+               if (light.position.w != 0 && light.position.w != 1) return false;
+               const glm::vec3 l = glm::vec3(light.position) - light.position.w * s.at.position;
+               return length(l) > 0.25F && is_allowed(Glance{s.at.normal, l, v, s.material.shininess});
+           });
+}
+
+/// Lists of lights that random ones are not: none, the same light twice, one that is the last of the list before.
+void record_other_lists(Random& random, Recorder& out, Shine shine)
+{
+    shine.lights.push_back(shine.lights[random.below(static_cast<std::uint32_t>(shine.lights.size()))]);
+    record(out, shine);
+    shine.lights = {shine.lights.back()};
+    record(out, shine);
+    shine.lights.clear();
+    record(out, shine);
 }
 
 void at_random(Random& random, Recorder& out)
 {
+    const auto allowed = [](const auto& question) { return is_allowed(question); };
     for (int i = 0; i < 150; ++i) {
         const glm::vec3 l = random.unit_vector();
-        record_half(out, l, round_about(random, l, random.uniform(-0.9F, 1)));
+        const glm::vec3 v = round_about(random, l, random.uniform(-0.9F, 1));
+        record_half(out, l, v);
         record(out, random_glance(random, 1, 40));
-        const Shine shine = i % 5 == 1 ? lit_from_behind(random) : random_shine(random);
+        Shine shine = i % 5 == 1 ? lit_from_behind(random) : random_shine(random);
         record(out, shine);
         if (i % 5 != 0) continue;
+        record_other_lists(random, out, shine);
         for (const Shine& changed : changed_one_by_one(random, shine)) record(out, changed);
-        for (const auto& changed : numbers_changed(random, random_glance(random, 1, 40, 0.8F), 6,
-                                                   [](const Glance& g) { return is_allowed(g); }))
+        for (const auto& [one, other] : numbers_changed(random, Directions(l, v), 3, allowed))
+            record_half(out, one, other);
+        for (const Glance& changed : numbers_changed(random, random_glance(random, 1, 40, 0.8F), 6, allowed))
             record(out, changed);
-        for (const auto& changed : numbers_changed(random, shine, 6, [](const Shine& s) { return is_allowed(s); }))
-            record(out, changed);
+        // A broad highlight, which fractions of 1 for its exponent are.
+        if (i % 10 == 0) shine.material.shininess = random.uniform(0.1F, 0.9F);
+        for (const Shine& changed : numbers_changed(random, shine, 8, allowed))
+            if (is_allowed(changed)) record(out, changed);
     }
 }
 

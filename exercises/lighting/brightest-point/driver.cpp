@@ -1,4 +1,4 @@
-#include <kit/varied.hpp>
+#include <kit/numbers_changed.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -94,19 +94,51 @@ void by_hand(Variation& vary, Recorder& out)
     }
 }
 
+/// A point that is seen and one that is not, in random order.
+void record_points(Random& random, Recorder& out, const Sphere& sphere, const glm::vec3& eye)
+{
+    const bool first = random.below(2) == 0;
+    for (const bool seen : {first, !first}) {
+        const float horizon = sphere.radius / length(eye - sphere.centre);
+        const float cosine = seen ? random.uniform(horizon + 0.02F, 1) : random.uniform(-1, horizon - 0.02F);
+        const glm::vec3 n = round_about(random, normalize(eye - sphere.centre), cosine);
+        record_is_seen(out, sphere, sphere.centre + sphere.radius * n, eye);
+    }
+}
+
+/// As random questions are: places outside and not far off, and no doubt whether there is an answer.
+bool is_allowed(const LitSphere& q)
+{
+    const float radius = q.sphere.radius;
+    const float w = q.light.position.w;
+    const glm::vec3 to_light = glm::vec3(q.light.position) - w * q.sphere.centre;
+    const glm::vec3 to_eye = q.eye - q.sphere.centre;
+    const auto fits = [&](const glm::vec3& v) { return length(v) > 1.3F * radius && length(v) < 12 * radius; };
+    if (radius < 0.3F || radius > 2 || length(q.sphere.centre) > 5.2F || q.light.color == glm::vec3(0)) return false;
+    if ((w != 0 && w != 1) || !fits(to_eye) || !(w == 1 ? fits(to_light) : length(to_light) > 0.1F)) return false;
+    const float cosine_lit = w == 1 ? radius / length(to_light) : 0;
+    const float limit = std::acos(cosine_lit) + std::acos(radius / length(to_eye));
+    const float cosine = dot(normalize(to_light), normalize(to_eye));
+    const float share = std::acos(glm::clamp(cosine, -1.0F, 1.0F)) / limit;
+    return share < 0.9F || share > 1.1F;
+}
+
 void at_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 120; ++i) {
-        const LitSphere q = random_lit_sphere(random, random.uniform(0.05F, 0.9F));
+        LitSphere q = random_lit_sphere(random, random.uniform(0.05F, 0.9F));
         record(out, q);
-        // A point that is seen and one that is not, in random order.
-        const bool first = random.below(2) == 0;
-        for (const bool seen : {first, !first}) {
-            const float horizon = q.sphere.radius / length(q.eye - q.sphere.centre);
-            const float cosine = seen ? random.uniform(horizon + 0.02F, 1) : random.uniform(-1, horizon - 0.02F);
-            const glm::vec3 n = round_about(random, normalize(q.eye - q.sphere.centre), cosine);
-            record_is_seen(out, q.sphere, q.sphere.centre + q.sphere.radius * n, q.eye);
+        record_points(random, out, q.sphere, q.eye);
+        if (i % 5 != 0) continue;
+        q.light.color = 2.0F * random_color(random);
+        for (const LitSphere& changed :
+             numbers_changed(random, q, 8, [](const LitSphere& one) { return is_allowed(one); })) {
+            record(out, changed);
+            record_points(random, out, changed.sphere, changed.eye);
         }
+        // The eye where the lamp is.
+        q.light.position = glm::vec4(q.eye, 1);
+        record(out, q);
     }
 }
 

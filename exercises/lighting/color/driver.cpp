@@ -82,7 +82,9 @@ void all_codes(Variation& vary, Random& random, Recorder& out)
     for (int code = 0; code < 256; ++code) out.append("light", ask<to_light>(out, pixel(code)));
     glm::u8vec3 changing(random_code(random));
     for (int i = 0; i < 256; ++i) {
-        changing[i % 3] = static_cast<std::uint8_t>(changing[i % 3] + 1 + random.below(255));
+        // Of eight, one becomes 0.
+        const bool is_off = i % 8 == 7 && changing[i % 3] != 0;
+        changing[i % 3] = is_off ? std::uint8_t{0} : static_cast<std::uint8_t>(changing[i % 3] + 1 + random.below(255));
         out.append("light", ask<to_light>(out, changing));
     }
     for (int code = 0; code < 256; ++code) {
@@ -91,10 +93,23 @@ void all_codes(Variation& vary, Random& random, Recorder& out)
     }
 }
 
+// The same lamps but for one channel, which is off; then one of them is there twice, alone at last.
+void record_other_lamps(Random& random, Recorder& out, std::vector<Lamp> lamps)
+{
+    lamps.back().color[static_cast<int>(random.below(3))] = 0;
+    out.append("sums", ask<add_lights>(out, lamps));
+    lamps.push_back(lamps.back());
+    out.append("sums", ask<add_lights>(out, lamps));
+    lamps = {lamps.back(), lamps.back()};
+    out.append("sums", ask<add_lights>(out, lamps));
+}
+
 void at_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
-        out.append("sums", ask<add_lights>(out, lamps_of_kind(random, i)));
+        const std::vector<Lamp> lamps = lamps_of_kind(random, i);
+        out.append("sums", ask<add_lights>(out, lamps));
+        if (i % 5 == 0) record_other_lamps(random, out, lamps);
         // Half of them dark, where the line is.
         const float size = i % 2 == 0 ? 1.0F : 0.02F;
         out.append("encoded", ask<encode_srgb>(out, random.uniform(0, size)));
@@ -104,6 +119,10 @@ void at_random(Random& random, Recorder& out)
         // The same but for one channel.
         color[i % 3] = clear_light(random);
         record_pixel(out, color);
+        if (i % 5 == 0) {
+            color[static_cast<int>(random.below(3))] = 0;
+            record_pixel(out, color);
+        }
         std::vector<glm::u8vec3> pixels = pixels_of_kind(random, i);
         record_mean(out, pixels);
         if (i % 2 != 0) continue;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <kit/numbers_changed.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -79,6 +80,34 @@ void many_lights(Random& random, Recorder& out)
     }
 }
 
+// Lights are not so near that the rounding of places turns them.
+bool is_allowed(const Question& q)
+{
+    return std::ranges::all_of(q.lights, [&](const Light& light) {
+        const float w = light.position.w;
+        return (w == 0 || w == 1) && length(glm::vec3(light.position) - w * q.at.position) > 0.4F;
+    });
+}
+
+// One number changed alone, of which many become 0; then lists with the same light twice, with it alone, with none.
+void record_changed(Random& random, Recorder& out, Question q)
+{
+    for (const Question& changed : numbers_changed(random, q, 8, [](const Question& one) { return is_allowed(one); }))
+        record(out, changed);
+    const Light light = q.lights[random.below(static_cast<std::uint32_t>(q.lights.size()))];
+    for (const auto& [towards, point] :
+         numbers_changed(random, std::pair(light, q.at.position), 4, [](const auto& one) {
+             return is_allowed({{one.second, {}}, {}, {one.first}});
+         }))
+        out.append("towards", ask<direction_to_light>(out, towards, point));
+    q.lights.push_back(light);
+    record(out, q);
+    q.lights = {light};
+    record(out, q);
+    q.lights.clear();
+    record(out, q);
+}
+
 // Lights on the side of the normal, so that each of them counts; but a lamp that is taken for a sun, or a sun for a
 // lamp.
 void at_random(Random& random, Recorder& out)
@@ -106,6 +135,7 @@ void at_random(Random& random, Recorder& out)
             q.lights.front().color = random_color(random);
         q.global_ambient = random_color(random);
         record(out, q);
+        record_changed(random, out, q);
     }
 }
 

@@ -1,4 +1,4 @@
-#include <kit/varied.hpp>
+#include <kit/numbers_changed.hpp>
 #include <span>
 #include <umbral/gl/record_trace.hpp>
 #include <umbral/record/driver.hpp>
@@ -90,6 +90,25 @@ Probe next_probe(Random& random, const Probe& before, int i)
     return same;
 }
 
+// The same lights and the same material but for one number; then one of the lights twice.
+void record_changed(Random& random, Recorder& out, FrameLighting lighting, const glm::mat4& view,
+                    const Material& material)
+{
+    const auto is_placed = [](const PlacedLight& placed) {
+        const glm::vec4& position = placed.light.position;
+        return position.w == 1 || (position.w == 0 && glm::vec3(position) != glm::vec3(0));
+    };
+    for (const FrameLighting& changed : numbers_changed(
+             random, lighting, 4, [&](const FrameLighting& one) { return std::ranges::all_of(one.lights, is_placed); }))
+        record_lights(out, changed, view);
+    lighting.lights.resize(std::min<std::size_t>(lighting.lights.size(), 2));
+    if (!lighting.lights.empty()) lighting.lights.push_back(lighting.lights.front());
+    record_lights(out, lighting, view);
+    for (const Material& changed :
+         numbers_changed(random, material, 6, [](const Material& one) { return one.shininess >= 0; }))
+        record_material(out, changed);
+}
+
 // Whatever OpenGL was told before; up to eleven lights. Of three frames one is lit as the one before, and of three
 // materials one is that of before: in the meantime somebody else has set others.
 void at_random(Random& random, Recorder& out)
@@ -108,6 +127,7 @@ void at_random(Random& random, Recorder& out)
         record_lights(out, lighting, view);
         if (i % 3 != 1) material = random_extreme_material(random);
         record_material(out, material);
+        if (i % 4 == 1) record_changed(random, out, lighting, view, material);
     }
     Probe probe = random_probe(random);
     for (int i = 0; i < 80; ++i) {

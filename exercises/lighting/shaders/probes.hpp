@@ -33,6 +33,19 @@ inline void make_special(Random& random, Probe& probe, std::size_t kind)
     }
 }
 
+/// Something black in one channel: of the surface, or of the light.
+inline void take_a_channel(Random& random, Probe& probe)
+{
+    Material& material = probe.material;
+    glm::vec3* const colors[] = {&material.emission, &material.ambient,     &material.diffuse,
+                                 &material.specular, &probe.global_ambient, nullptr};
+    glm::vec3* const color = colors[random.below(6)];
+    const auto channel = static_cast<int>(random.below(3));
+    if (color != nullptr) (*color)[channel] = 0;
+    for (Light& light : probe.lights)
+        if (color == nullptr) light.color[channel] = 0;
+}
+
 /// Single points with everything at random: what the formula gives, without a mesh.
 inline std::vector<Probe> random_points(Random& random)
 {
@@ -46,6 +59,7 @@ inline std::vector<Probe> random_points(Random& random)
         if (dot(probe.normal, normalize(-probe.position)) < 0.1F) continue;
         probe.lights = random_lights(random, placed(probe.position));
         make_special(random, probe, probes.size() % 8);
+        if (probes.size() % 4 == 1) take_a_channel(random, probe);
         probe.view = placed(4.0F * random.in_cube(), glm::vec3(1), random.uniform(0, turn), random.unit_vector());
         probe.model =
             placed(4.0F * random.in_cube(), {random.uniform(0.5F, 2), random.uniform(0.5F, 2), random.uniform(0.5F, 2)},

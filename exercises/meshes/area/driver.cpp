@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <kit/numbers_changed.hpp>
 #include <limits>
 #include <umbral/meshes/area.hpp>
 #include <umbral/record/ask.hpp>
@@ -66,6 +69,41 @@ IndexedMesh with_some_twice(IndexedMesh mesh, Random& random)
     return mesh;
 }
 
+using Corners = std::array<glm::vec3, 3>;
+
+/// No sliver: its area is a fifth of the square of its longest side at least, so that float is right by far.
+bool is_broad(const Corners& corners)
+{
+    float longest = 0;
+    for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, distance(corners[i], corners[(i + 1) % 3]));
+    return longest > 0.3F && length(cross(corners[1] - corners[0], corners[2] - corners[0])) > 0.4F * longest * longest;
+}
+
+/// Triangles that differ from the one before in one number, which may be 0 or equal another one; meshes of one, two and
+/// three triangles; the same places with other triangles, and other places for the same ones.
+void record_changed(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 16; ++i) {
+        IndexedMesh mesh{{{-1, -0.6F, 0}, {1, -0.6F, 0}, {0, 1, 0}, 3.0F * random.in_cube()}, {{0, 1, 2}}};
+        turn(mesh, random);
+        const glm::vec3 away = random.in_cube();
+        const auto corner = [&](std::size_t which) { return mesh.positions[which] + away; };
+        for (const Corners& corners : numbers_changed(random, Corners{corner(0), corner(1), corner(2)}, 4, is_broad)) {
+            std::ranges::copy(corners, mesh.positions.begin());
+            record(out, mesh);
+        }
+        mesh.triangles.emplace_back(0, 2, 1);
+        out.append("meshes", ask<surface_area>(out, mesh));
+        mesh.triangles.emplace_back(2, 1, 0);
+        out.append("meshes", ask<surface_area>(out, mesh));
+        mesh.positions = {corner(1), corner(1), corner(2), corner(0)};
+        mesh.triangles = {{0, 2, 3}};
+        out.append("meshes", ask<surface_area>(out, mesh));
+        mesh.triangles = {{2, 3, 1}, {0, 1, 2}};
+        out.append("meshes", ask<surface_area>(out, mesh));
+    }
+}
+
 // From small units to large ones, powers of two, though none in which the square of an area leaves float's range.
 void record_random(Random& random, Variation& vary, Recorder& out)
 {
@@ -76,6 +114,7 @@ void record_random(Random& random, Variation& vary, Recorder& out)
         record(out, mapped(shuffled(mesh, random), [&](const glm::vec3& position) { return unit * position; }));
     }
     record(out, varied(vary, trefoil(30, 7, 0.4)));
+    record_changed(random, out);
 }
 
 void record_degenerate(Random& random, Recorder& out)

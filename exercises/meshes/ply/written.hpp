@@ -84,6 +84,9 @@ inline void record_writing(Random& random, Recorder& out)
         record_written(out, {}, format);
         record_written(out, small, format);
         record_written(out, large, format);
+        // Vertices without faces, and one vertex, of which faces may be made all the same.
+        record_written(out, {{small.positions[1], large.positions[0], small.positions[0]}, {}}, format);
+        record_written(out, {{large.positions[1]}, {{}, {0}, {0, 0, 0}, {0, 0, 0}}}, format);
     }
     // A face of 256 corners does not fit a list whose length is one byte.
     for (const std::uint32_t corners : {255U, 256U, 300U}) {

@@ -117,8 +117,37 @@ EntryBytes entries_of_any_size(Random& random)
     return bytes;
 }
 
+// Grids and tables of which one number only is another one than before: a side by one, the sides exchanged or equal,
+// the size of one kind of entry, which may be that of another.
+void record_changed(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 6; ++i) {
+        EntryBytes bytes = random_entries(random);
+        glm::u64vec2 cells(1 + random.below(3), 1 + random.below(40));
+        const auto record_all = [&] {
+            record_counts(out, cells.x, cells.y);
+            record_bytes(out, cells.x, cells.y, bytes);
+        };
+        for (const glm::u64vec2& other : {cells,
+                                          {cells.x + 1, cells.y},
+                                          {cells.x + 1, cells.y + 1},
+                                          {cells.y + 1, cells.x + 1},
+                                          {cells.y, cells.y}}) {
+            cells = other;
+            record_all();
+        }
+        for (std::uint64_t* const size : {&bytes.index, &bytes.pointer, &bytes.vertex, &bytes.index}) {
+            *size = i % 2 == 0 ? *size + 1 + random.below(20) : size == &bytes.index ? bytes.pointer : bytes.index;
+            record_all();
+            record(out, "sphere", ask<sphere_mesh_bytes>(out, cells.y + 1, bytes));
+            record(out, "crossover", ask<crossover_resolution>(out, bytes));
+        }
+    }
+}
+
 void record_random(Random& random, Recorder& out)
 {
+    record_changed(random, out);
     for (int i = 0; i < 60; ++i) {
         const EntryBytes bytes = entries_of_any_size(random);
         const std::uint64_t columns = i % 8 == 0 ? 1 : 1 + random.below(5000);

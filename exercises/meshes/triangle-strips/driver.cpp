@@ -243,6 +243,13 @@ void record_coordinates(Random& random, Recorder& out)
             strips.push_back(random_strip(random, random.below(12)));
         record(positions, strips);
     }
+    // Hardly anything: no vertices, no strips, strips of nothing, of one index, and of the same one. Then the same
+    // strips over other positions.
+    const glm::vec3 place = random.in_cube();
+    for (const std::vector<Strip>& strips : std::vector<std::vector<Strip>>{{}, {{}}, {{}, {}}}) record({}, strips);
+    for (const std::vector<Strip>& strips : std::vector<std::vector<Strip>>{{}, {{0}}, {{0, 0, 0}, {}}, {{}, {0}}})
+        for (const glm::vec3& other : {place, 2.0F * place}) record({other}, strips);
+    record({place, place, {0, 0, 0}}, {{2, 0, 1}, {1, 2}});
     // More vertices than numbers of 32 bits can count.
     for (const std::uint64_t vertices :
          {std::uint64_t{400'000'000}, std::uint64_t{3'000'000'000}, std::uint64_t{1} << 33}) {

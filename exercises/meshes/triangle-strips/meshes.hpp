@@ -49,7 +49,16 @@ inline std::vector<Sample> loose_meshes(Random& random)
         meshes.push_back({"pairs of triangles", copies(book(2), 2 + i)});
         meshes.push_back({"a sheet among lonely vertices", with_lonely_vertices(flat_sheet(2 + i / 4, 2), 12)});
     }
+    meshes.push_back({"a triangle", book(1)});
+    meshes.push_back({"two triangles", book(2)});
     for (auto& [name, mesh] : meshes) mesh = shuffled(mesh, random);
+    // The same two triangles, wound alike, from the front and the back, and such that they share a vertex only.
+    const std::vector<glm::vec3> places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+    for (const auto& [a, b] : {std::pair(glm::uvec3(0, 1, 2), glm::uvec3(1, 2, 0)),
+                               {{0, 1, 2}, {2, 1, 0}},
+                               {{3, 1, 2}, {1, 2, 4}},
+                               {{0, 1, 2}, {2, 3, 4}}})
+        meshes.push_back({"two triangles", {places, {a, b}}});
     return meshes;
 }
 

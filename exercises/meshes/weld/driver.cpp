@@ -77,6 +77,13 @@ void record_random(Random& random, Recorder& out)
     log.add("hills", soup_of(shuffled(hills(9, 8, random), random)));
     log.add("corners at few places", soup_of_few_places(random));
     log.add("knot", soup_of(shuffled(trefoil(30, 5, 0.4), random)));
+    // A triangle, the same one turned, and one that is hardly one: all of so many corners, some with zeros.
+    const glm::vec3 place = random.in_cube();
+    const glm::vec3 other(place.y, 0, place.x);
+    log.add("one triangle", {place, other, {0, 0, place.z}});
+    log.add("one triangle", {other, {0, 0, place.z}, place});
+    log.add("one triangle", {{0, 0, 0}, place, {0, 0, 0}});
+    log.add("one triangle", {other, other, place});
     log.finish();
 }
 
@@ -92,7 +99,8 @@ void record_isolated(Random& random, Recorder& out)
 {
     for (const IndexedMesh& mesh :
          {IndexedMesh{}, with_lonely_vertices({}, 3), cube(), shuffled(torus(5, 4), random),
-          with_lonely_vertices(hills(4, 3, random), 3), with_coinciding_corners(random), of_few_vertices(60, random)}) {
+          with_lonely_vertices(hills(4, 3, random), 3), with_coinciding_corners(random), of_few_vertices(60, random),
+          of_few_vertices(1, random), of_few_vertices(2, random), of_few_vertices(2, random)}) {
         const Soup soup = ask<isolated_triangles>(out, mesh);
         for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i)
             out.append("corners", i < soup.size() ? soup[i] : glm::vec3(0));

@@ -70,7 +70,7 @@ void record(Recorder& out, const std::vector<ClipTriangle>& triangles, Random* u
     name_corners(out, {"positions", "weights"});
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const float unit = units == nullptr ? 1 : clip_unit(*units);
-        const std::vector<ClipVertex> polygon = clipped(out, in_unit(triangles[i], unit));
+        const std::vector<ClipVertex> polygon = clipped(out, in_unit(triangles[i], unit), i % 4 == 3);
         const std::vector<ClipVertex> positions = by_position(polygon);
         for (std::size_t k = 0; k < positions.size(); ++k) {
             const glm::vec4 p = positions[k].position / unit;
@@ -147,6 +147,8 @@ std::vector<ClipTriangle> random_triangles(Random& random, int count)
         if (i % 12 == 5) triangles.back() = through_all_sides(random);
         if (i % 12 == 2 || i % 12 == 10) triangles.back() = small(random);
         if (i % 24 == 11) triangles.back() = {0.4F * a, 0.4F * a + 0.6F * glm::vec4(0, 0, 0, a.w), 0.4F * a};
+        // A corner on a plane through the eye and two axes.
+        if (i % 12 == 3) triangles.back()[static_cast<std::size_t>(i / 12 % 3)][i / 36 % 3] = 0;
         if (i % 12 == 8) spoil(random, triangles.back()[random.below(3)]);
         std::rotate(triangles.back().begin(), triangles.back().begin() + random.below(3), triangles.back().end());
     }

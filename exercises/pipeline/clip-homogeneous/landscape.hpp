@@ -16,12 +16,13 @@ namespace umbral::pipeline {
 using ClipTriangle = std::array<glm::vec4, 3>;
 
 /// What the unit appends for a triangle. The vector holds its first corner before, as that of a neighbour: a unit that
-/// overwrites it loses a corner, and so does one that takes it for its own.
-inline std::vector<ClipVertex> clipped(Recorder& out, const ClipTriangle& triangle)
+/// overwrites it loses a corner, and so does one that takes it for its own. Or it is empty.
+inline std::vector<ClipVertex> clipped(Recorder& out, const ClipTriangle& triangle, bool is_empty = false)
 {
-    std::vector<ClipVertex> polygon = {{triangle[0], {0, 0, 0}}};
+    std::vector<ClipVertex> polygon;
+    if (!is_empty) polygon.push_back({triangle[0], {0, 0, 0}});
     ask<clip_triangle>(out, triangle, polygon);
-    if (!polygon.empty()) polygon.erase(polygon.begin());
+    if (!is_empty && !polygon.empty()) polygon.erase(polygon.begin());
     return polygon;
 }
 

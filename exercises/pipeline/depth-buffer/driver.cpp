@@ -144,8 +144,13 @@ void record_colors(Recorder& out, const char* name, std::size_t scenario, const 
         }
 }
 
-// Light, which may be more than a screen shows.
-glm::vec3 random_color(Random& random) { return 0.1F + 1.9F * glm::abs(random.in_cube()); }
+// Light, which may be more than a screen shows, or have none of a colour.
+glm::vec3 random_color(Random& random)
+{
+    glm::vec3 color = 0.1F + 1.9F * glm::abs(random.in_cube());
+    if (random.below(6) == 0) color[static_cast<glm::length_t>(random.below(3))] = 0;
+    return color;
+}
 
 void record_drawing(Random& random, Recorder& out)
 {
@@ -160,7 +165,10 @@ void record_drawing(Random& random, Recorder& out)
             for (std::size_t triangle = 0; triangle < 3; ++triangle) {
                 const glm::vec3 a = random_color(random);
                 const glm::vec3 b = random_color(random);
-                const std::array colors = {a, b, random_color(random)};
+                // The last triangle may be black, at one corner or all: it hides what was there like any other.
+                const bool is_black = triangle == 2 && row % 2 == 0;
+                const glm::vec3 c = is_black ? glm::vec3(0) : random_color(random);
+                const std::array colors = {is_black && row > 0 ? c : a, is_black && row > 0 ? c : b, c};
                 ask<draw_fragments>(out, all[row], model, colors, random_fragments(random, levels, 20), layer);
                 record_colors(out, "colours", 3 * picture + triangle, layer);
                 record_depths(out, 3 * picture + triangle, layer.depths);
@@ -180,7 +188,9 @@ void record_merging(Random& random, Recorder& out)
             const Levels levels = random_levels(random, state.format);
             const auto layer = [&] {
                 Layer result{{tile_width, tile_height}, random_depths(random, out, levels)};
-                for (glm::vec3& color : result.colors.cells) color = random_color(random);
+                // Black is a colour like others.
+                for (glm::vec3& color : result.colors.cells)
+                    color = random.below(8) == 0 ? glm::vec3(0) : random_color(random);
                 return result;
             };
             const Layer source = layer();

@@ -87,11 +87,11 @@ void record_sides(Random& random, Recorder& out)
         const std::vector<glm::vec2> places = random_places(random, 2);
         const glm::vec2 a = round(places[0]);
         const glm::vec2 b = round(places[1]);
-        const std::vector<glm::vec2> flat[] = {{a, b, a}, {a, b, 2.0F * b - a}, {a, a, b}, {b, b, b}, {a, b}};
+        const std::vector<glm::vec2> flat[] = {{a, b, a}, {a, b, 2.0F * b - a}, {a, a, b}, {b, b, b}, {a, b}, {a}, {}};
         std::vector<glm::vec2> front = {a, a + glm::vec2(3, 0), a + glm::vec2(1, 2)};
         const bool swapped = random.below(2) == 0;
-        record_side(out, swapped ? front : flat[i % 5]);
-        record_side(out, swapped ? flat[i % 5] : front);
+        record_side(out, swapped ? front : flat[i % 7]);
+        record_side(out, swapped ? flat[i % 7] : front);
     }
 }
 
@@ -202,6 +202,15 @@ Vertices culled(Random& random, int kind)
 void record_culling(Random& random, Recorder& out)
 {
     int draw = 0;
+    // As many vertices as make no primitive or hardly one; of each face both sides are culled in turn.
+    for (std::uint32_t count = 0; count < 5; ++count)
+        for (const PrimitiveType type : all_types) {
+            const Vertices vertices = in_order(random, count);
+            const auto mode = static_cast<PolygonMode>(random.below(3));
+            for (const Culling culling : {Culling::back, Culling::front})
+                record_draw(out, draw++, ask<draw_list>(out, type, vertices.sequence, vertices.places, culling, mode),
+                            40);
+        }
     for (int i = 0; i < 12; ++i)
         for (const PrimitiveType type : all_types) {
             const Vertices vertices = culled(random, i % 6);

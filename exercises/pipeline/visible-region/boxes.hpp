@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <kit/magnitude.hpp>
+#include <kit/numbers_changed.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/pipeline/region.hpp>
 #include <umbral/record/variation.hpp>
+#include <utility>
 #include <vector>
 
 /// Boxes to show: ordinary, flat, nearly flat, mirrored, in any unit of length.
@@ -66,6 +68,27 @@ inline Box fitting_box(Random& random, int width, int height)
     for (int axis = 0; axis < 2; ++axis)
         if (random.below(2) == 0) std::swap(box.low[axis], box.high[axis]);
     return in_unit(box, random_unit(random, -60, 60));
+}
+
+/// Boxes of 0.6 in each direction at least, mirrored ones too, and points not far from them.
+inline bool is_thick(const std::pair<Box, glm::vec3>& question)
+{
+    const auto& [box, point] = question;
+    for (int axis = 0; axis < 3; ++axis) {
+        const float size = std::abs(box.high[axis] - box.low[axis]);
+        if (size < 0.6F || std::abs(2 * point[axis] - box.low[axis] - box.high[axis]) > 1.5F * size) return false;
+    }
+    return true;
+}
+
+/// Limits that are 0, opposite or equal in two directions; each differs in one number from the one before.
+inline std::vector<std::pair<Box, glm::vec3>> changed_boxes(Random& random)
+{
+    Box box = random_box(random, 3);
+    const auto axis = static_cast<glm::length_t>(random.below(3));
+    box.high[axis] = 1 + std::abs(box.low[axis]);
+    if (random.below(2) == 0) box.low[axis] = -box.high[axis];
+    return numbers_changed(random, std::pair(box, 0.5F * (box.low + box.high)), 5, is_thick);
 }
 
 }

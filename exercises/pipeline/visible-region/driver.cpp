@@ -48,6 +48,8 @@ void known_matrices(Case& c, Recorder& out)
 
 void random_matrices(Case& c, Recorder& out)
 {
+    for (int i = 0; i < 12; ++i)
+        for (const auto& [box, point] : changed_boxes(c.random)) out.append("projection", ask<projection_of>(out, box));
     for (int i = 0; i < 200; ++i)
         out.append("projection",
                    ask<projection_of>(out, i % 4 == 3 ? nearly_flat(c.random) : box_in_any_unit(c.random, 5)));
@@ -66,6 +68,16 @@ void odd_boxes(Case& c, Recorder& out)
         out.append("projection", ask<projection_of>(out, in_unit(box, unit)));
         out.append("ndc", ask<ndc_of>(out, in_unit(box, unit), unit * point));
         if (i % 4 == 3) out.append("projection", ask<projection_of>(out, nearly_flat(c.random)));
+    }
+}
+
+void changed_points(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 12; ++i) {
+        for (const auto& [box, point] : changed_boxes(random)) {
+            out.append("ndc", ask<ndc_of>(out, box, point));
+            out.append("ndc", ask<ndc_of>(out, box, box.low));
+        }
     }
 }
 
@@ -100,6 +112,12 @@ void random_regions(Case& c, Recorder& out)
         const int width = 1 + static_cast<int>(c.random.below(2000));
         const int height = 1 + static_cast<int>(c.random.below(2000));
         record(out, i % 4 == 0 ? fitting_box(c.random, width, height) : contents, width, height);
+        // Then another width alone, another height, and the other way round; other contents alone.
+        if (i % 10 != 0) continue;
+        for (const glm::ivec2& size :
+             {glm::ivec2(width + 50, height), {width + 50, 2 * height}, {2 * height, width + 50}})
+            record(out, contents, size.x, size.y);
+        for (const auto& [box, point] : changed_boxes(c.random)) record(out, box, width, height);
     }
 }
 
@@ -174,22 +192,6 @@ constexpr const char* names =
     "1 show, size and P[0].x, P[1].y, P[3].x, P[3].y\n2 show to the second viewer, size and P[0].x, P[1].y, P[3].x, "
     "P[3].y\n";
 
-constexpr const char* resizing = R"(
-0.1 resize 800 600
-0.2 resize 0 0               # minimised
-0.3 resize 800 600
-0.4 resize 300 500
-0.5 resize 0 500
-0.6 resize 1024 500
-0.7 press left 10 10         # not every event is a new size
-0.8 release left
-0.9 resize 1024 0
-1.0 resize 501 333
-1.1 resize 1 400
-1.2 key R press
-1.3 resize 400 400
-)";
-
 // The second window begins with nothing of the first; what is shown changes between events. The third one is handed to
 // another viewer. The last two are there at the same time, and may be one pixel wide or high.
 void two_windows(Case& c, Recorder& out)
@@ -242,10 +244,19 @@ void random_windows(Case& c, Recorder& out)
 {
     out.text("commands.names", names);
     std::string script;
+    std::uint32_t width = 0;
+    std::uint32_t height = 1;
     for (int i = 0; i < 40; ++i) {
-        const std::uint32_t width = c.random.below(8) == 0 ? 0 : 1 + c.random.below(2000);
-        script += std::to_string(0.1 * i) + " resize " + std::to_string(width) + " " +
-                  std::to_string(1 + c.random.below(1500)) + "\n";
+        // Now and then only one side is dragged.
+        if (i % 5 == 3) {
+            width += 10 + c.random.below(500);
+        } else if (i % 5 == 4) {
+            height += 10 + c.random.below(500);
+        } else {
+            width = c.random.below(8) == 0 ? 0 : 1 + c.random.below(2000);
+            height = 1 + c.random.below(1500);
+        }
+        script += std::to_string(0.1 * i) + " resize " + std::to_string(width) + " " + std::to_string(height) + "\n";
     }
     const Box first = random_box(c.random, 3);
     record_commands(out, input::parse_script(script), {1.5, 1.5}, {first, random_box(c.random, 3)});
@@ -257,7 +268,7 @@ const Driver driver = {
     {"known boxes", known_matrices},
     {"random boxes", random_matrices},
     {"odd boxes", odd_boxes},
-    {"points", [](Case& c, Recorder& out) { record_points(c.random, out, 4, true); }},
+    {"points", [](Case& c, Recorder& out) { record_points(c.random, out, 4, true), changed_points(c.random, out); }},
     {"far away",
      [](Case& c, Recorder& out) {
          for (const float away : {1e3F, 1e4F, 1e5F, 1e6F}) record_points(c.random, out, away, false);

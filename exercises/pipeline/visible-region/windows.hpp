@@ -186,4 +186,21 @@ inline Image windows_picture(Recorder& out, Variation& vary)
     return drawing.picture();
 }
 
+/// Events of a window that is dragged, minimised and shown again.
+inline constexpr const char* resizing = R"(
+0.1 resize 800 600
+0.2 resize 0 0               # minimised
+0.3 resize 800 600
+0.4 resize 300 500
+0.5 resize 0 500
+0.6 resize 1024 500
+0.7 press left 10 10         # not every event is a new size
+0.8 release left
+0.9 resize 1024 0
+1.0 resize 501 333
+1.1 resize 1 400
+1.2 key R press
+1.3 resize 400 400
+)";
+
 }

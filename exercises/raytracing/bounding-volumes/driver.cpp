@@ -1,4 +1,5 @@
 #include <kit/amount.hpp>
+#include <kit/numbers_changed.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
@@ -86,6 +87,15 @@ void random_rays(Recorder& out, Random& random)
             ray.direction *= size * std::exp2(std::floor(random.uniform(-8, 8)));
             record_answer(out, hierarchy, ray);
         }
+        // In the planes of two axes, and along one.
+        for (int k = 0; k < 18; ++k) {
+            Ray ray = ray_into(soup, 9, random);
+            for (int axis = k % 3; axis < k % 3 + (k < 9 ? 1 : 2); ++axis) {
+                ray.origin[axis % 3] += 9 * ray.direction[axis % 3];
+                ray.direction[axis % 3] = 0;
+            }
+            record_answer(out, hierarchy, sized(ray, size));
+        }
     }
 }
 
@@ -109,6 +119,8 @@ void intervals(Recorder& out, Random& random)
         if (i % 5 != 0) continue;
         ray.t_max = random.uniform(1, 9);
         record_answer(out, hierarchy, {ray.origin, longer * ray.direction, ray.t_min / longer, ray.t_max / longer});
+        const auto is_ray = [](const Ray& one) { return one.direction != glm::vec3(0) && one.t_min < one.t_max; };
+        for (const Ray& changed : numbers_changed(random, ray, 3, is_ray)) record_answer(out, hierarchy, changed);
     }
 }
 

@@ -1,3 +1,4 @@
+#include <kit/numbers_changed.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -41,6 +42,10 @@ void record_fields(Random& random, Recorder& out)
         out.append("cone", ask<unit_cone_field>(out, place) / factor);
     };
     for (const glm::vec3& place : places) record_at(place, 1);
+    for (int i = 0; i < 12; ++i)
+        for (const glm::vec3& place :
+             numbers_changed(random, 3.0F * random.in_cube(), 3, [](const glm::vec3&) { return true; }))
+            record_at(place, 1);
     for (int i = 0; i < 30; ++i) {
         const float size = std::ldexp(1.0F, 1 + static_cast<int>(random.below(20)));
         record_at(3.0F * size * random.in_cube(), size * size);
@@ -95,6 +100,33 @@ std::vector<Ray> from_the_surface(Quadric quadric, Random& random)
         if (i % 2 == 1) away.direction = -away.direction;
         again.t_min = away.t_min = 1e-3F;
         add_pair(rays, again, away, random);
+    }
+    return rays;
+}
+
+// Level rays, of which two of three run along an axis. The twin passes above, below or beside; above the apex it would
+// meet the cone, were it endless.
+std::vector<Ray> level(Quadric quadric, Random& random)
+{
+    std::vector<Ray> rays;
+    for (int i = 0; i < 60; ++i) {
+        const float angle = random.uniform(0, 6.2831853F);
+        glm::vec3 way(std::cos(angle), 0, std::sin(angle));
+        if (i % 3 > 0) way = i % 3 == 1 ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1);
+        if (random.below(2) == 0) way = -way;
+        const glm::vec3 side(-way.z, 0, way.x);
+        // How far from the axis it passes is told in radii.
+        const auto at = [&](float height, float aside) {
+            const float radius = quadric == Quadric::cylinder ? 1 : std::abs(1 - height);
+            const glm::vec3 nearest = glm::vec3(0, height, 0) + aside * radius * side;
+            return Ray{nearest - random.uniform(1.5F, 4) * way, way};
+        };
+        const float aside = random.uniform(-0.9F, 0.9F);
+        const Ray hit = at(random.uniform(0.1F, 0.8F), aside);
+        Ray miss = at(random.uniform(0.1F, 0.8F), aside < 0 ? aside - 1.1F : aside + 1.1F);
+        if (i % 4 == 0) miss = at(random.uniform(1.1F, 2), aside);
+        if (i % 4 == 1) miss = at(random.uniform(-1, -0.1F), aside);
+        add_pair(rays, hit, miss, random);
     }
     return rays;
 }
@@ -175,6 +207,7 @@ const Driver driver = {
     {"random",
      [](Case& c, Recorder& out) {
          record_both(c.random, out, [](Quadric q, Random& random) { return random_pairs(q, random, 600); });
+         record_both(c.random, out, level);
      }},
     {"open ends",
      [](Case& c, Recorder& out) {

@@ -112,6 +112,9 @@ std::vector<DiscShot> behind_and_before(Random& random)
         }
     }
     for (int i = 0; i < 30; ++i) shots_away_from_the_centre(shots, random);
+    // The same by longer directions, so that the ends of the interval are fractions of 1.
+    for (std::size_t i = 0; i < shots.size(); ++i)
+        if (i / 2 % 3 == 0) shots[i].ray = counted_in(shots[i].ray, 32);
     return shots;
 }
 

@@ -31,7 +31,12 @@ inline double depth_inside_rim(const DiscShot& shot)
 inline Disc random_disc(Random& random)
 {
     const glm::vec3 centre = 5.0F * random.in_cube();
-    const glm::vec3 normal = random.unit_vector();
+    // One in six faces at right angles to an axis.
+    glm::vec3 normal = random.unit_vector();
+    if (random.below(6) == 0) {
+        normal[static_cast<int>(random.below(3))] = 0;
+        normal = normalize(normal);
+    }
     const float length = std::exp2(random.uniform(-4, 4));
     return {centre, random.below(2) == 0 ? normal : length * normal, random.uniform(0.5F, 2)};
 }

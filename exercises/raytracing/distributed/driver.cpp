@@ -26,6 +26,12 @@ void record_lenses(Recorder& out, const std::vector<LensQuestion>& lenses)
     out.text("origin.names", numbered_names({"x", "y", "z", "t_min", "1 / t_max"}));
 }
 
+void record_random_lenses(Random& random, Recorder& out)
+{
+    record_lenses(out, random_lenses(random, 300));
+    for (const LensQuestion& question : random_lenses(random, 30)) record_lenses(out, changed_lenses(random, question));
+}
+
 void record_disc(Random& random, Recorder& out)
 {
     for (int replicate = 0; replicate < 500; ++replicate) {
@@ -148,7 +154,7 @@ void record_secret(Random& random, Recorder& out)
 
 const Driver driver = {
     {"by hand", [](Case& c, Recorder& out) { record_lenses(out, lenses_by_hand(c.vary)); }},
-    {"random", [](Case& c, Recorder& out) { record_lenses(out, random_lenses(c.random, 300)); }},
+    {"random", [](Case& c, Recorder& out) { record_random_lenses(c.random, out); }},
     {"disc", [](Case& c, Recorder& out) { record_disc(c.random, out); }},
     {"penumbra", [](Case& c, Recorder& out) { record_penumbra(c, out); }},
     {"sharp", [](Case& c, Recorder& out) { record_sharp(c, out); }},

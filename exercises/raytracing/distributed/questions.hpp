@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kit/numbers_changed.hpp>
 #include <umbral/record/variation.hpp>
 
 #include "scenes.hpp"
@@ -47,7 +48,14 @@ inline std::vector<LensQuestion> random_lenses(Random& random, int count)
         view.y *= 0.7F;
         const float half = random.uniform(0.2F, 1);
         const float focus = random.uniform(1, 10);
-        const LensCamera camera = camera_towards(eye, eye - view, half, {random.uniform(0, 0.5F), focus, 0, 1});
+        LensCamera camera = camera_towards(eye, eye - view, half, {random.uniform(0, 0.5F), focus, 0, 1});
+        // Every other one is rolled about its view: its right side need not be level, nor its up point upwards.
+        if (i % 2 == 1) {
+            const float roll = random.uniform(0, 6.28F);
+            const glm::vec3 right = std::cos(roll) * camera.right + std::sin(roll) * camera.up;
+            camera.up = std::cos(roll) * camera.up - std::sin(roll) * camera.right;
+            camera.right = right;
+        }
         const PictureSize size{20 + static_cast<int>(random.below(400)), 20 + static_cast<int>(random.below(300))};
         const float x = random.uniform(0, static_cast<float>(size.width));
         const glm::vec2 place(x, random.uniform(0, static_cast<float>(size.height)));
@@ -55,6 +63,32 @@ inline std::vector<LensQuestion> random_lenses(Random& random, int count)
         questions.push_back({camera, size, place, random.uniform() * glm::vec2(std::cos(angle), std::sin(angle))});
     }
     return questions;
+}
+
+/// From a random question others, each with one number or size changed: eyes and places with a coordinate of 0, the
+/// focus nearer than 1, the same camera with another lens, the same place in another picture, which is 1 wide at last.
+inline std::vector<LensQuestion> changed_lenses(Random& random, const LensQuestion& question)
+{
+    const LensCamera& camera = question.camera;
+    std::vector<LensQuestion> all = numbers_changed(random, question, 8, [&](const LensQuestion& changed) {
+        const LensCamera& other = changed.camera;
+        return other.right == camera.right && other.up == camera.up && other.back == camera.back &&
+               other.half_height > 0 && other.focus_depth > 0.5F && other.shutter_closes >= other.shutter_opens &&
+               changed.place.x < static_cast<float>(changed.size.width) &&
+               changed.place.y < static_cast<float>(changed.size.height) && length(changed.lens) < 1;
+    });
+    LensQuestion resized = all.back();
+    const auto other_size = [&] {
+        resized.place = min(resized.place, glm::vec2(resized.size.width, resized.size.height));
+        all.push_back(resized);
+    };
+    resized.size.width += 1 + static_cast<int>(random.below(200));
+    other_size();
+    resized.size.height += 1 + static_cast<int>(random.below(200));
+    other_size();
+    (random.below(2) == 0 ? resized.size.width : resized.size.height) = 1;
+    other_size();
+    return all;
 }
 
 /// Shares and moments of points of the disc, for their means; `next` is the one that is drawn after it.
@@ -101,6 +135,7 @@ struct PenumbraQuestion {
 inline StillLife penumbra_scene(const glm::vec3& stretch = glm::vec3(1))
 {
     StillLife life;
+    constexpr glm::vec3 light(2, 0.5F, 3);  // takes no part
     life.add(SolidQuad{stretch * glm::vec3(-2, 0.5F, -2), stretch * glm::vec3(2, 0, 0), stretch * glm::vec3(0, 0, 4)},
              Paint{glm::vec3(0.5F)});
     life.add(SolidBall{stretch * glm::vec3(1.5F, 0.6F, -2), 0.35F, stretch * glm::vec3(0, 0, 2)},
@@ -115,10 +150,11 @@ inline StillLife penumbra_scene(const glm::vec3& stretch = glm::vec3(1))
     life.add_lamp(
         {stretch * glm::vec3(5, 1, -1), stretch * glm::vec3(0, 0, 2), stretch * glm::vec3(0, 2, 0), {1, 1, 1}});
     // Far from being a rectangle.
-    life.add_lamp({stretch * glm::vec3(2.5F, 1.5F, 2.5F),
-                   stretch * glm::vec3(1.2F, 0, 0),
-                   stretch * glm::vec3(0.8F, 0, 0.7F),
-                   {1, 1, 1}});
+    life.add_lamp({stretch * glm::vec3(2.5F, 1.5F, 2.5F), stretch * glm::vec3(1.2F, 0, 0),
+                   stretch * glm::vec3(0.8F, 0, 0.7F), light});
+    // Along no axis.
+    life.add_lamp({stretch * glm::vec3(-4, 1, 3), stretch * glm::vec3(0.6F, 0.5F, 0.2F),
+                   stretch * glm::vec3(-0.3F, 0.4F, 0.9F), light});
     return life;
 }
 
@@ -131,6 +167,7 @@ inline std::vector<PenumbraQuestion> penumbra_questions(const glm::vec3& stretch
     const AreaLamp over = life.lamps()[0];
     const AreaLamp aside = life.lamps()[1];
     const AreaLamp slanted = life.lamps()[2];
+    const AreaLamp askew = life.lamps()[3];
     const auto at = [&](glm::vec3 position, glm::vec3 normal) {
         return LitPoint{stretch * position, normalize(normal), glm::vec3(0.25F, 0.5F, 0.75F), glm::vec3(3)};
     };
@@ -153,7 +190,9 @@ inline std::vector<PenumbraQuestion> penumbra_questions(const glm::vec3& stretch
             {"The light at the edge of a scrap of paper", at({0.25F, 1, 0}, up), over, 0},
             {"The light at another edge of it", at({0.249F, 1, 0.00112F}, up), over, 0},
             {"The light at the outer end of the penumbra, by one sample", at({0.1F, 0, 0}, up), over, 0, 1},
-            {"The light at the inner end of the penumbra, by one sample", at({-0.1F, 0, 0.5F}, up), over, 0, 1}};
+            {"The light at the inner end of the penumbra, by one sample", at({-0.1F, 0, 0.5F}, up), over, 0, 1},
+            {"The light of a lamp along no axis", at({-3.8F, 0, 3.6F}, up), askew, 0.5F},
+            {"The light of another lamp at the same place", at({-3.8F, 0, 3.6F}, up), over, 0.5F}};
 }
 
 }

@@ -14,6 +14,14 @@ struct OneRay {
     glm::vec2 place{0};
 };
 
+/// Of six, one lacks a channel.
+inline glm::vec3 random_color(Random& random, float most)
+{
+    glm::vec3 color = 0.5F * most * (glm::vec3(1) + random.in_cube());
+    if (random.below(6) == 0) color[static_cast<int>(random.below(3))] = 0;
+    return color;
+}
+
 template <class Visit>
 void for_each_input_of_look(RayLook& look, const Visit& visit)
 {

@@ -133,8 +133,6 @@ inline SpongeScene varied(Variation& vary, SpongeScene scene)
     return scene;
 }
 
-inline glm::vec3 random_color(Random& random, float most) { return 0.5F * most * (glm::vec3(1) + random.in_cube()); }
-
 inline void give_random_light(Random& random, RayLook& look)
 {
     look.ambient = random_color(random, 0.3F);
@@ -184,7 +182,7 @@ inline std::vector<OneRay<BallScene>> random_ball_rays(Random& random, int count
         scene.tiles[1] = random_color(random, 0.3F);
         scene.floor_mirror = random.below(2) == 0 ? 0.0F : random.uniform(0.1F, 0.5F);
         scene.floor_radius = random.uniform(2, 9);
-        scene.light_color = random_color(random, 1) + glm::vec3(0.2F);
+        scene.light_color = 1.2F * random_color(random, 1);
         const glm::vec3 lamp = 3.0F * random.in_cube();
         scene.light_position = {lamp.x, random.below(3) == 0 ? lamp.y : 4 + std::abs(lamp.y), lamp.z};
         if (i % 10 == 3 && balls > 0) {
@@ -271,7 +269,7 @@ inline std::vector<OneRay<SpongeScene>> random_sponge_rays(Random& random, int c
         scene.sponge_color = random_color(random, 0.8F) + glm::vec3(0.1F);
         scene.ball_color = random_color(random, 0.8F) + glm::vec3(0.1F);
         scene.sun = random.unit_vector();
-        scene.sun_color = random_color(random, 1) + glm::vec3(0.2F);
+        scene.sun_color = 1.2F * random_color(random, 1);
         scene.look.eye = random.uniform(3, 8) * random.unit_vector();
         scene.look.target = 0.6F * random.in_cube();
         ray.place = 0.5F * glm::vec2(random.in_cube());

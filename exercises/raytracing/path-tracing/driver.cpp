@@ -36,7 +36,10 @@ void record_random(Random& random, Recorder& out)
         const glm::vec3 normal = random.unit_vector();
         out.append("cosine", ask<cosine_density>(out, normal, random.unit_vector()));
     }
+    for (const auto& [normal, direction] : cosines_changed(random))
+        out.append("cosine", ask<cosine_density>(out, normal, direction));
     record_densities(out, random_lamps(random, 300));
+    for (const LampView& view : random_lamps(random, 20)) record_densities(out, changed_views(random, view));
 }
 
 // Where no reflection takes part, all estimates are the same: what shines there, or the sky.

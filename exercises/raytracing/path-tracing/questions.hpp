@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <kit/numbers_changed.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,6 +66,61 @@ inline std::vector<LampView> random_lamps(Random& random, int count)
         views.push_back({place + scale * random.uniform(1, 5) * direction, lamp, place});
     }
     return views;
+}
+
+/// The same direction about one normal after the other, and the same normal with one direction after the other; unit
+/// vectors in the planes of two axes, and equal ones.
+inline std::vector<std::pair<glm::vec3, glm::vec3>> cosines_changed(Random& random)
+{
+    const auto in_plane = [&](int axis) {
+        const float angle = random.uniform(0, 6.2831853F);
+        glm::vec3 found(0);
+        found[(axis + 1) % 3] = std::cos(angle);
+        found[(axis + 2) % 3] = std::sin(angle);
+        return found;
+    };
+    std::vector<std::pair<glm::vec3, glm::vec3>> all;
+    for (int i = 0; i < 18; ++i) {
+        const glm::vec3 normal = in_plane(i);
+        const glm::vec3 direction = random.unit_vector();
+        const glm::vec3 another = in_plane(i / 3);
+        for (const auto& pair : {std::pair(normal, direction),
+                                 {normal, another},
+                                 {direction, another},
+                                 {direction, direction},
+                                 {normal, direction}})
+            all.push_back(pair);
+    }
+    return all;
+}
+
+/// The same lamp and place from points with one coordinate changed; then, each as the one before but for one thing,
+/// another place of the lamp, longer edges, and other light, which takes no part.
+inline std::vector<LampView> changed_views(Random& random, LampView view)
+{
+    // The line to the point is at 70 degrees from the normal at most, and neither short nor long.
+    const float size = length(view.lamp.edge_a);
+    const auto allowed = [&](const glm::vec3& point, const glm::vec3& on_lamp) {
+        const glm::vec3 way = point - on_lamp;
+        const glm::vec3 normal = normalize(cross(view.lamp.edge_a, view.lamp.edge_b));
+        return length(way) > 0.5F * size && length(way) < 10 * size && std::abs(dot(normalize(way), normal)) > 0.34F;
+    };
+    std::vector<LampView> all;
+    for (const glm::vec3& point : numbers_changed(
+             random, view.point, 3, [&](const glm::vec3& changed) { return allowed(changed, view.on_lamp); }))
+        all.push_back({point, view.lamp, view.on_lamp});
+    view = all.back();
+    const glm::vec3 another = glm::mix(view.on_lamp, view.lamp.corner, random.uniform(0.2F, 1));
+    if (allowed(view.point, another)) view.on_lamp = another;
+    all.push_back(view);
+    // From the same corner on, so that the place remains one of the lamp's.
+    for (glm::vec3* const edge : {&view.lamp.edge_a, &view.lamp.edge_b}) {
+        *edge *= random.uniform(1.25F, 2);
+        all.push_back(view);
+    }
+    view.lamp.radiance = {random.below(2) == 0 ? 0 : random.uniform(), random.uniform(0, 9), random.uniform()};
+    all.push_back(view);
+    return all;
 }
 
 /// Where no reflected light takes part: straight at what shines, or with no surface that reflects.

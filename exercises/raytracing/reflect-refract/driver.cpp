@@ -1,3 +1,4 @@
+#include <kit/numbers_changed.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -61,6 +62,37 @@ void record_by_hand(Variation& vary, Recorder& out)
     }
 }
 
+// No null vector, and so far from the surface and from the critical angle that the formula in float is good enough.
+bool is_allowed(const SurfaceGlance& glance)
+{
+    const auto& [v, n, outside, inside] = glance;
+    if (length(v) < 0.01F || length(n) < 0.01F || outside <= 0 || inside <= 0) return false;
+    const float cosine = dot(normalize(v), normalize(n));
+    const float ratio = cosine > 0 ? outside / inside : inside / outside;
+    const float cosine_squared = 1 - ratio * ratio * (1 - cosine * cosine);
+    return std::abs(cosine) > 0.05F && std::abs(cosine_squared) > 0.05F;
+}
+
+// One number changed alone: directions in the planes of two axes, and the same glance at other media.
+void record_changed(Random& random, Recorder& out)
+{
+    SurfaceGlance glance = refracted_glance(random);
+    for (const SurfaceGlance& changed :
+         numbers_changed(random, glance, 6, [](const SurfaceGlance& one) { return is_allowed(one); })) {
+        record_refracted(out, changed);
+        record_mirrored(out, changed.v, changed.n);
+    }
+    glance.v = glance.n;
+    record_refracted(out, glance);
+    record_mirrored(out, glance.v, glance.n);
+    const auto is_clear = [](const auto& media) {
+        const auto& [from, into] = media;
+        return from > 0 && into > 0 && (into < 0.9F * from || into > 1.1F * from);
+    };
+    for (const auto& [from, into] : numbers_changed(random, std::pair(glance.outside, glance.inside), 2, is_clear))
+        out.append("critical", ask<critical_angle>(out, from, into));
+}
+
 void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 300; ++i) {
@@ -77,6 +109,7 @@ void record_random(Random& random, Recorder& out)
             glance = arriving(rare, dense, 0.98 * random.uniform_double(), random);
         }
         record_refracted(out, glance);
+        if (i % 10 == 0) record_changed(random, out);
         auto [rare, dense] = random_indices(random);
         // Media that are nearly the same, and media that have little in common. Next to a power of two the quotient is
         // exact: nothing is lost in float.

@@ -124,6 +124,9 @@ inline std::vector<ShadowProbe> probe_pairs(Random& random, int count, const Pro
                 range.least_cosine + (range.most_cosine - range.least_cosine) * random.uniform_double();
             probe.normal = tilted(towards_light(probe.light, probe.place), cosine, random);
             probe.color = glm::vec3(0.6F) + 0.35F * random.in_cube();
+            // Of four one lacks a colour: the surface, the light, or the light that is everywhere.
+            glm::vec3* const colors[] = {&probe.color, &probe.light.color, &probe.light.ambient};
+            if (random.below(4) == 0) (*colors[random.below(3)])[static_cast<int>(random.below(3))] = 0;
             probe.model = random_placement(random);
             const bool is_lit = (k == 0) != swapped;
             const double bias = allowance(probe, double{along}, cosine);

@@ -1,5 +1,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <kit/canonical.hpp>
+#include <kit/numbers_changed.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "gallery.hpp"
@@ -166,6 +167,9 @@ std::vector<MirrorTask> random_halls(Random& random)
     return tasks;
 }
 
+// The normal is not so short that little is left of the plane's distance.
+bool is_plane(const glm::vec4& plane) { return glm::length(glm::vec3(plane)) > 0.1F * std::abs(plane.w); }
+
 void record_matrices(Case& what, Recorder& out)
 {
     const std::vector<glm::vec4> by_hand = {{0, 1, 0, 0}, {0, 0, 2, -6}, {-1, 0, 0, 4}, {3, 4, 0, 10}, {1, 1, 1, -3}};
@@ -179,6 +183,16 @@ void record_matrices(Case& what, Recorder& out)
         const glm::vec3 from = 4.0F * what.random.in_cube();
         const glm::mat4 view = glm::lookAt(from, from + what.random.unit_vector(), glm::vec3(0.1F, 1, 0.2F));
         out.append("views", ask<mirrored_view>(out, view, plane));
+        if (i % 4 != 0) continue;
+        // The same view in other planes, of which some are level or upright, and another view in the last one.
+        glm::vec4 last = plane;
+        for (const glm::vec4& changed : numbers_changed(what.random, plane, 3, is_plane)) {
+            out.append("mirrors", ask<mirror_matrix>(out, changed));
+            out.append("views", ask<mirrored_view>(out, view, changed));
+            last = changed;
+        }
+        const glm::mat4 beside = glm::translate(view, glm::vec3(what.random.uniform(1, 2), 0, 0));
+        out.append("views", ask<mirrored_view>(out, beside, last));
     }
 }
 

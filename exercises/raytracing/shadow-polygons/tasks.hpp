@@ -35,6 +35,10 @@ inline std::vector<ShadowTask> shadows_by_hand()
          floor},  // slanted, partly behind the lamp's height
         {sun, rectangle({2, -1, 2}, {0, 3, 0}, {2, 0, 1}), floor},
         {{4, -2, 4, 1}, rectangle({3, -1, 3}, {0, 0, 2}, {2, 0, 0}), floor},  // from below
+        {{0, 2, 0, 0}, shelf, floor},                                         // the sun at the zenith
+        {{0, 3, 1.5F, 0}, shelf, floor},
+        {{0, 4, 0, 1}, rectangle({1, 2, 1}, {0, 0, 1}, {2, 0, 0}), floor},  // above a corner
+        {{4, 4, 0, 1}, shelf, floor},
         {{2, -3, 1, 0}, rectangle({4, -2, 3}, {0, 0, 2}, {1, 0, 0}), floor},
         {{0, 4, 4, 1}, shelf, {{8, 0, 1}, {8, 5, 1}, {8, 5, 7}, {8, 0, 7}}},                              // a wall
         {{2, 6, 1, 1}, {{2, 3, 1}, {3, 3, 2}, {2, 3, 3}}, {{0, 0, 0}, {1, 0, 6}, {6, 2, 6}, {5, 2, 0}}},  // a ramp
@@ -62,8 +66,10 @@ inline std::vector<ShadowTask> without_shadow()
          floor},  // touches the border from outside: one side in common
         {{1, 2, -1, 0}, shelf, floor},
         {lamp, {{3, 2, 3}, {3, 2, 4}}, floor},
+        {lamp, {{3, 2, 3}}, floor},
         {lamp, {}, floor},
         {lamp, shelf, {}},
+        {lamp, shelf, {{3, 0, 3}}},
         {{20, 0, 4, 1}, shelf, floor},                      // the lamp in the floor's plane, the caster above it
         {{20, 0, 4, 1}, shelf, turned_over(floor)},         // … or below
         {lamp, {{3, 0, 2}, {3, -1, 4}, {3, 2, 4}}, floor},  // corners on the floor, of sides that go down

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
+#include <tuple>
 #include <umbral/raytracing/sphere_tracing.hpp>
 #include <vector>
 
@@ -119,6 +120,30 @@ inline Ray clear_ray(const Balls& all, Random& random)
         if (!grazes(ray, all)) break;
     }
     return ray;
+}
+
+using Walk = std::tuple<Ray, Balls>;
+
+/// The ray begins outside, and neither a silhouette nor t_max decides; of two balls one is clearly met first.
+inline bool is_clear(const Walk& walk)
+{
+    const auto& [ray, all] = walk;
+    const float unit = length(ray.direction);
+    if (!(unit > 0.25F && unit < 4) || grazes(ray, all)) return false;
+    float first = ray.t_max;
+    float second = ray.t_max + 1;
+    for (const glm::vec4& ball : all.balls) {
+        const glm::vec3 to = glm::vec3(ball) - ray.origin - ray.t_min * ray.direction;
+        if (ball.w < 0.2F || ball.w > 2 || length(to) < ball.w + 0.1F) return false;
+        const float middle = dot(to, ray.direction) / unit;
+        const float miss = length(cross(to, ray.direction)) / unit;
+        if (middle < 0 || miss > ball.w) continue;
+        const float t = ray.t_min + (middle - std::sqrt(ball.w * ball.w - miss * miss)) / unit;
+        if (std::abs(t - ray.t_max) < 0.1F) return false;
+        second = std::min(second, std::max(t, first));
+        first = std::min(first, t);
+    }
+    return second - first > 0.05F;
 }
 
 }

@@ -1,3 +1,4 @@
+#include <kit/numbers_changed.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -53,6 +54,30 @@ void random_distances(Recorder& out, Random& random)
         const glm::vec3 a = 2 * size * random.in_cube();
         const glm::vec3 b = i % 10 == 0 ? a : 2 * size * random.in_cube();
         out.append("capsule", ask<capsule_distance>(out, p, a, b, small) / size);
+    }
+}
+
+// The same questions with one number changed alone, so that they have coordinates and sizes of 0, and equal ones.
+void distances_changed(Recorder& out, Random& random)
+{
+    const auto any = [](const auto&) { return true; };
+    for (int i = 0; i < 20; ++i) {
+        const glm::vec3 p = 3.0F * random.in_cube();
+        const float small = random.uniform(0.1F, 1);
+        const float large = random.uniform(1, 2.5F);
+        for (const auto& [q, radius] : numbers_changed(random, std::tuple(p, large), 4, any))
+            out.append("ball", ask<ball_distance>(out, q, radius));
+        for (const auto& [q, half] : numbers_changed(random, std::tuple(p, large + 0.9F * random.in_cube()), 5, any))
+            out.append("box", ask<box_distance>(out, q, half));
+        const auto is_torus = [](const auto& one) {
+            return std::get<1>(one) >= std::get<2>(one) && std::get<2>(one) > 0;
+        };
+        for (const auto& [q, major, minor] : numbers_changed(random, std::tuple(p, large, small), 5, is_torus))
+            out.append("torus", ask<torus_distance>(out, q, major, minor));
+        const auto is_capsule = [](const auto& one) { return std::get<3>(one) > 0; };
+        const std::tuple capsule(p, 2.0F * random.in_cube(), 2.0F * random.in_cube(), small);
+        for (const auto& [q, a, b, radius] : numbers_changed(random, capsule, 8, is_capsule))
+            out.append("capsule", ask<capsule_distance>(out, q, a, b, radius));
     }
 }
 
@@ -141,6 +166,23 @@ void random_traces(Recorder& out, Random& random)
         const float longer = i % 2 == 0 ? 1 : std::ldexp(1.0F, static_cast<int>(random.below(61)) - 40);
         ray.direction *= longer;
         record(out, {ray, all.bodies(), {1e-4F * size, 400}}, longer / size);
+    }
+}
+
+// The same ray to other bodies, and other rays to the same: each differs in one number from the one before. At last
+// there are no bodies.
+void traces_changed(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 20; ++i) {
+        const Balls all = random_balls(random, 1 + i % 3);
+        Ray ray = clear_ray(all, random);
+        ray.t_min = random.uniform(0.2F, 2);
+        ray.t_max = random.uniform(18, 30);
+        const float longer = i % 4 == 0 ? 1 : std::ldexp(1.0F, static_cast<int>(random.below(61)) - 40);
+        for (const auto& [asked, balls] : numbers_changed(random, Walk(ray, all), 8, is_clear))
+            if (is_clear({asked, balls}))
+                record(out, {counted_in(asked, longer), balls.bodies(), {1e-4F, 400}}, longer);
+        if (i % 4 == 0) record(out, {ray, {}, {1e-4F, 400}});
     }
 }
 
@@ -237,10 +279,18 @@ void record_picture(Variation& vary, Recorder& out)
 
 const Driver driver = {
     {"distances by hand", [](Case& c, Recorder& out) { distances_by_hand(c.vary, out); }},
-    {"random distances", [](Case& c, Recorder& out) { random_distances(out, c.random); }},
+    {"random distances",
+     [](Case& c, Recorder& out) {
+         random_distances(out, c.random);
+         distances_changed(out, c.random);
+     }},
     {"sponge", [](Case& c, Recorder& out) { sponge(out, c.random); }},
     {"by hand", [](Case& c, Recorder& out) { traces_by_hand(c.vary, out); }},
-    {"random", [](Case& c, Recorder& out) { random_traces(out, c.random); }},
+    {"random",
+     [](Case& c, Recorder& out) {
+         random_traces(out, c.random);
+         traces_changed(out, c.random);
+     }},
     {"from inside", [](Case& c, Recorder& out) { from_inside(out, c.random); }},
     {"limits", [](Case& c, Recorder& out) { limits(out, c.random); }},
     {"picture", [](Case& c, Recorder& out) { record_picture(c.vary, out); }},

@@ -27,13 +27,26 @@ inline glm::vec3 random_light(Random& random, float most)
     return {red, green, random.uniform(0, most)};
 }
 
+/// The same, but of four one has a single channel, or lacks one.
+inline glm::vec3 random_tint(Random& random, float most)
+{
+    glm::vec3 light = random_light(random, most);
+    const std::uint32_t kind = random.below(24);
+    if (kind >= 6) return light;
+    const auto channel = static_cast<int>(kind % 3);
+    const float kept = light[channel];
+    if (kind < 3) light = glm::vec3(0);
+    light[channel] = kind < 3 ? kept : 0;
+    return light;
+}
+
 /// Light and depths at random; a quarter of the pixels is empty, and one in eight far brighter than the others.
 inline GlassFrame random_frame(Random& random)
 {
     const int width = 2 + static_cast<int>(random.below(5));
     const int height = 1 + static_cast<int>(random.below(4));
     GlassFrame frame{Grid<glm::vec3>(width, height), Grid<float>(width, height)};
-    for (glm::vec3& light : frame.light.cells) light = random_light(random, random.below(8) == 0 ? 3000.0F : 3.0F);
+    for (glm::vec3& light : frame.light.cells) light = random_tint(random, random.below(8) == 0 ? 3000.0F : 3.0F);
     for (float& depth : frame.depths.cells)
         depth = random.below(4) == 0 ? std::numeric_limits<float>::infinity() : random.uniform(0.5F, 1);
     return frame;
@@ -74,9 +87,9 @@ inline GlassFragment random_glass(Random& random, const GlassFrame& frame)
     GlassFragment fragment;
     fragment.pixel = random_pixel(random, frame);
     fragment.depth = random_depth(random, frame, fragment.pixel);
-    fragment.light = random_light(random, random.below(8) == 0 ? 0.0F : 2.0F);
+    fragment.light = random_tint(random, random.below(8) == 0 ? 0.0F : 2.0F);
     fragment.k_t = random.uniform(0.2F, 1);
-    fragment.m_t = random_light(random, 1);
+    fragment.m_t = random_tint(random, 1);
     // What lets nothing through, and what is quite clear.
     const std::uint32_t kind = random.below(16);
     if (kind < 4) fragment.k_t = kind < 2 ? 0.0F : 1.0F;
@@ -84,12 +97,14 @@ inline GlassFragment random_glass(Random& random, const GlassFrame& frame)
     return fragment;
 }
 
+/// Up to 39 fragments, of six lists one or two; of eight fragments one is the same as the one before, in all it has.
 inline GlassTask random_task(Random& random)
 {
     GlassTask task{random_frame(random)};
-    const std::uint32_t count = random.below(40);
+    const std::uint32_t count = random.below(6) == 0 ? 1 + random.below(2) : random.below(40);
     for (std::uint32_t i = 0; i < count; ++i) {
-        task.glass.push_back(random_glass(random, task.frame));
+        const bool again = i > 0 && random.below(8) == 0;
+        task.glass.push_back(again ? task.glass.back() : random_glass(random, task.frame));
         const GlassFragment& like = task.glass.back();
         task.opaque.push_back({like.pixel, like.depth, like.light});
     }

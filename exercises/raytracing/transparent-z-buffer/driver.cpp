@@ -21,6 +21,10 @@ void record_drawn(Recorder& out, GlassFrame frame, const Fragments& fragments, b
     if (!then_none) return;
     ask<Draw>(out, frame, Fragments());
     record_frame(out, frame, width, height);
+    // The same fragments into a frame that has them at other depths.
+    for (float& depth : frame.depths.cells) depth = std::isfinite(depth) ? 1 - depth : 0.5F;
+    ask<Draw>(out, frame, fragments);
+    record_frame(out, frame, width, height);
 }
 
 void record_empty(Case& what, Recorder& out)

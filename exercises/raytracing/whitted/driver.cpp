@@ -1,3 +1,4 @@
+#include <kit/numbers_changed.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -61,7 +62,13 @@ void direct_random(Recorder& out, Random& random)
         if (i % 7 == 0) material.specular = random_light_color(random);
         if (i % 7 == 1) material.diffuse = glm::vec3(0);
         if (i % 7 == 2) material.ambient = glm::vec3(0);
-        record_direct(out, material, normal, v, i % 20 == 12 ? normal : normalize(l[i % 3]));
+        const glm::vec3 towards = i % 20 == 12 ? normal : normalize(l[i % 3]);
+        record_direct(out, material, normal, v, towards);
+        if (i % 10 != 1) continue;
+        // The same place of materials that differ in one number.
+        const auto allowed = [](const lighting::Material& one) { return one.shininess >= 1 && one.shininess <= 100; };
+        for (const lighting::Material& changed : numbers_changed(random, material, 5, allowed))
+            record_direct(out, changed, normal, v, towards);
     }
 }
 

@@ -149,14 +149,28 @@ inline void activated_materials(Case& c, Recorder& out)
     out.columns("state",
                 "GL_LIGHTING, GL_TEXTURE_2D, GL_AMBIENT/4, GL_DIFFUSE/4, GL_SPECULAR/4, GL_EMISSION/4, GL_SHININESS");
     for (int round = 0; round < 12; ++round) {
-        Material material{random_color(), random_color(), random_color(), std::floor(128 * c.random.uniform()),
-                          nullptr};
+        // Exponents have fractions, and may be below 1 or 0; now and then a colour lacks one of its three.
+        const float exponent = round % 4 == 1   ? 0.5F
+                               : round % 4 == 3 ? std::floor(128 * c.random.uniform())
+                                                : std::floor(512 * c.random.uniform()) / 4;
+        Material material{random_color(), random_color(), random_color(), round == 5 ? 0 : exponent, nullptr};
+        if (round % 2 == 0)
+            for (glm::vec4* const color : {&material.ambient, &material.diffuse, &material.specular})
+                (*color)[static_cast<int>(c.random.below(3))] = 0;
         const std::uint32_t which = c.random.below(4);
         if (which < 2) material.texture = &textures[which];
         if (round % 3 == 0) glDisable(GL_LIGHTING);
         if (which >= 2 && round % 2 == 0) glEnable(GL_TEXTURE_2D);
         record_activated(out, material);
         leave_other_material(out, c.random);
+        record_activated(out, material);
+        if (round % 3 != 0) continue;
+        // Others after it that differ in a colour only, or in the exponent.
+        for (glm::vec4* const color : {&material.ambient, &material.diffuse, &material.specular}) {
+            *color = random_color();
+            record_activated(out, material);
+        }
+        material.exponent = 128 - material.exponent;
         record_activated(out, material);
     }
 }

@@ -22,6 +22,11 @@ inline void directions(Case& c, Recorder& out)
     for (int i = 0; i < 200; ++i) {
         const float alpha = c.random.uniform(-6.3F, 6.3F);
         out.append("random", ask<direction>(out, alpha, c.random.uniform(-quarter, quarter)));
+        // The same turn at another height, and that height at another turn.
+        if (i % 20 != 0) continue;
+        const float beta = c.random.uniform(-quarter, quarter);
+        for (const float other : {alpha, 0.5F * alpha, 0.0F}) out.append("random", ask<direction>(out, other, beta));
+        out.append("random", ask<direction>(out, alpha, 0));
     }
 }
 
@@ -89,7 +94,19 @@ inline void lights(Case& c, Recorder& out)
         }
         glMatrixMode(GL_MODELVIEW);
         glLoadMatrixf(value_ptr(random_view(c.random)));
-        ask<activate_lights>(out, all, random_view(c.random));
+        const glm::mat4 view = random_view(c.random);
+        ask<activate_lights>(out, all, view);
+        record_lights(out);
+        if (count < 2) continue;
+        // Seen from elsewhere; and as many others from there, of which some lack a colour.
+        const glm::mat4 other = random_view(c.random);
+        ask<activate_lights>(out, all, other);
+        record_lights(out);
+        for (std::size_t i = 0; i < count; ++i) {
+            all[i].color[static_cast<int>((count + i) % 3)] = 0;
+            all[i].directional = !all[i].directional;
+        }
+        ask<activate_lights>(out, all, other);
         record_lights(out);
     }
 }

@@ -1,4 +1,5 @@
 #include <kit/magnitude.hpp>
+#include <kit/numbers_changed.hpp>
 #include <kit/refusal.hpp>
 #include <kit/row_of.hpp>
 #include <limits>
@@ -67,8 +68,56 @@ void by_hand(Variation& vary, Recorder& out)
     record_triangles(out, mirrored(vary, triangles_by_hand()));
 }
 
+// Off the axis and the seam by a degree at least; in front, z may be 0.
+bool is_clear(const glm::vec3& p)
+{
+    const float flat = length(glm::vec2(p.x, p.z));
+    return flat > 0.03F * std::abs(p.y) && flat > 0.01F && (p.x > 0 || std::abs(p.z) > 0.03F * -p.x);
+}
+
+// What random planes, points and heights are not: 0, equal, or alone in being another than in the call before.
+void record_changed(Random& random, Recorder& out)
+{
+    using OnPlane = std::pair<glm::vec3, TexturePlane>;
+    const OnPlane first(2.0F * random.in_cube(), random_plane(random, 2));
+    const auto same_axes = [&](const OnPlane& q) {
+        return q.second.u_axis == first.second.u_axis && q.second.v_axis == first.second.v_axis;
+    };
+    OnPlane on_plane;
+    for (const OnPlane& changed : numbers_changed(random, first, 4, same_axes)) {
+        out.append("plane", ask<planar_coordinates>(out, changed.first, changed.second));
+        on_plane = changed;
+    }
+    auto& [point, plane] = on_plane;
+    plane.u_axis = -plane.u_axis;
+    out.append("plane", ask<planar_coordinates>(out, point, plane));
+    plane.v_axis = -plane.v_axis;
+    out.append("plane", ask<planar_coordinates>(out, point, plane));
+    // Axes as floors and walls have them, and one axis kept while the other changes.
+    const std::uint32_t way = random.below(3);
+    for (std::uint32_t next = 1; next < 3; ++next) {
+        plane.u_axis = plane.v_axis = glm::vec3(0);
+        plane.u_axis[static_cast<glm::length_t>(way)] = random.below(2) == 0 ? 1.0F : -1.0F;
+        plane.v_axis[static_cast<glm::length_t>((way + next) % 3)] = 1;
+        out.append("plane", ask<planar_coordinates>(out, point, plane));
+    }
+
+    for (const glm::vec3& p : numbers_changed(random, random_point(random), 3, is_clear)) record_sphere(out, {p});
+
+    using Ring = std::tuple<glm::vec3, float, float>;
+    const Ring ring(random_point(random), random.uniform(0.6F, 2), random.uniform(-2, 0.4F));
+    const auto is_tall = [](const Ring& r) {
+        return is_clear(std::get<0>(r)) && std::abs(std::get<1>(r) - std::get<2>(r)) > 0.2F;
+    };
+    for (const auto& [p, one, other] : numbers_changed(random, ring, 5, is_tall)) {
+        out.append("cylinder", ask<cylindrical_coordinates>(out, p, one, other));
+        out.append("cylinder", ask<cylindrical_coordinates>(out, p, other, one));
+    }
+}
+
 void random_points(Random& random, Recorder& out)
 {
+    for (int i = 0; i < 40; ++i) record_changed(random, out);
     for (int i = 0; i < 400; ++i) {
         const TexturePlane plane = random_plane(random, 3);
         out.append("plane", ask<planar_coordinates>(out, 3.0F * random.in_cube(), plane));
@@ -135,6 +184,13 @@ void seam(Random& random, Recorder& out)
         }
     }
     change_balls(random, triangles);
+    // Of these only one number differs from the triangle before, and two corners may be the same.
+    for (int i = 0; i < 40; ++i) {
+        Corners corners = triangle_at(random, random.uniform(0.6F, 1.4F) * pi);
+        if (i % 4 == 0) corners[random.below(3)] = corners[random.below(3)];
+        const auto changed = is_narrow(corners) ? numbers_changed(random, corners, 3, is_narrow) : std::vector{corners};
+        triangles.insert(triangles.end(), changed.begin(), changed.end());
+    }
     record_triangles(out, triangles);
 }
 

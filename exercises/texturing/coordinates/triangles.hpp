@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
@@ -87,6 +88,20 @@ inline Corners half_turn_at_seam(Random& random)
     Shares along = {0, 1, random.below(2) == 0 ? 1.0F : random.uniform(0.1F, 0.9F)};
     std::swap(along[2], along[random.below(3)]);
     return corners_between(random, end, end - side * (1 - 2 * hardly_anything(random)), along);
+}
+
+/// Within 0.45 turns about the axis, no corner on it: so no rounding decides, nor does an order of operations.
+inline bool is_narrow(const Corners& corners)
+{
+    float least = 0;
+    float most = 0;
+    for (const glm::vec3& corner : corners) {
+        if (length(glm::vec2(corner.x, corner.z)) < 0.05F) return false;
+        const float turns = (std::atan2(corner.z, corner.x) - std::atan2(corners[0].z, corners[0].x)) / (2 * pi);
+        least = std::min(least, turns - std::round(turns));
+        most = std::max(most, turns - std::round(turns));
+    }
+    return most - least < 0.45F;
 }
 
 inline float zero_of_any_sign(Random& random) { return random.below(2) == 0 ? 0.0F : -0.0F; }

@@ -1,3 +1,4 @@
+#include <kit/numbers_changed.hpp>
 #include <limits>
 #include <umbral/record/driver.hpp>
 
@@ -65,9 +66,64 @@ glm::vec3 off_the_seam(Random& random)
     return {std::sin(longitude) * std::cos(latitude), std::sin(latitude), -std::cos(longitude) * std::cos(latitude)};
 }
 
+// Unit, with one coordinate 0 or two.
+glm::vec3 axial_normal(Random& random, int axis)
+{
+    glm::vec3 normal = random.unit_vector();
+    normal[axis] = 0;
+    if (random.below(3) == 0) normal[(axis + 1) % 3] = 0;
+    return normalize(normal);
+}
+
+// What random directions and places are not: 0 in a coordinate, or equal coordinates; a question that differs from the
+// one before in one number or in its face only. Ties of the box are exact ones. Elsewhere nothing comes close to where
+// an answer jumps or roundings grow: off the panorama's axis and the way back, off -z, off the rim of the ball's map.
+void record_changed(Random& random, Recorder& out, int i)
+{
+    using Mirror = std::pair<glm::vec3, glm::vec3>;
+    const glm::vec3 normal = i % 20 == 0 ? random.unit_vector() : axial_normal(random, i / 10 % 3);
+    const Mirror mirror(2.0F * random.unit_vector(), normal);
+    for (const auto& [v, n] : numbers_changed(random, mirror, 3, [&](const Mirror& m) { return m.second == normal; }))
+        out.append("mirror", ask<mirrored_direction>(out, v, n));
+    out.append("mirror", ask<mirrored_direction>(out, mirror.first, axial_normal(random, i / 10 % 3)));
+    out.append("mirror", ask<mirrored_direction>(out, normal, normal));
+
+    const auto is_clear = [](const glm::vec3& d) {
+        const glm::vec3 size = abs(d);
+        const float most = std::max({size.x, size.y, size.z});
+        const auto leads = [&](float other) { return other == most || other < 0.999F * most; };
+        return most > 0.05F && leads(size.x) && leads(size.y) && leads(size.z);
+    };
+    for (const glm::vec3& d : numbers_changed(random, 3.0F * towards_a_face(random), 3, is_clear)) record_box(out, d);
+
+    const auto is_off_seam = [](const glm::vec3& d) {
+        const float flat = length(glm::vec2(d.x, d.z));
+        return flat > 0.03F * std::abs(d.y) && flat > 0.01F && (d.z < 0 || std::abs(d.x) > 0.03F * d.z);
+    };
+    for (const glm::vec3& d : numbers_changed(random, 2.0F * off_the_seam(random), 3, is_off_seam))
+        out.append("panorama", ask<panorama_place>(out, d));
+
+    const auto is_off_back = [](const glm::vec3& d) { return length(d) > 0.01F && d.z > -0.9F * length(d); };
+    const glm::vec3 seen(glm::vec2(axial_normal(random, 2)), random.uniform(-1, 2));
+    for (const glm::vec3& d : numbers_changed(random, seen, 3, is_off_back))
+        out.append("sphere", ask<sphere_place>(out, d));
+
+    const auto is_place = [](const glm::vec2& uv) {
+        const glm::vec2 flat = 2.0F * uv - 1.0F;
+        return uv.x <= 1 && uv.y <= 1 && std::abs(dot(flat, flat) - 1) > 0.002F;
+    };
+    for (const glm::vec2& uv : numbers_changed(random, glm::vec2(0.6F * random.uniform(), 0.5F), 2, is_place)) {
+        const std::uint32_t face = random.below(6);
+        record_directions(out, static_cast<BoxFace>(face), uv);
+        out.append("directions", ask<box_direction>(out, BoxPlace{static_cast<BoxFace>((face + 1) % 6), uv}));
+        out.append("directions", ask<sphere_direction>(out, -uv - 0.01F));
+    }
+}
+
 void random_directions(Random& random, Recorder& out)
 {
     for (int i = 0; i < 300; ++i) {
+        if (i % 10 == 0) record_changed(random, out, i);
         const glm::vec3 to_eye = random.uniform(0.1F, 4) * random.unit_vector();
         out.append("mirror", ask<mirrored_direction>(out, to_eye, random.unit_vector()));
         record_box(out, random.uniform(0.2F, 5) * towards_a_face(random));

@@ -1,3 +1,4 @@
+#include <kit/numbers_changed.hpp>
 #include <span>
 #include <umbral/gl/framebuffer.hpp>
 #include <umbral/record/ask.hpp>
@@ -34,7 +35,27 @@ void planes(Case& c, Recorder& out)
         const glm::vec3 origin = 4.0F * random_plane(c.random);
         const glm::vec3 axis = random_plane(c.random);
         record("random", origin, i % 8 == 0 ? glm::vec3(0) : axis);
+        if (i % 5 != 1) continue;
+        // Coordinates that are 0 or equal, and questions that differ in one number from the one before.
+        const auto any = [](const auto& /*plane*/) { return true; };
+        for (const auto& [from, along] : numbers_changed(c.random, std::pair(origin, axis), 4, any))
+            record("random", from, along);
+        record("random", axis, axis);
+        record("random", {0, 0, 0}, axis);
     }
+}
+
+/// Planes as programs have them: one coefficient is 0 in each, or all but one are.
+Generator with_zeros(Random& random, Generator generator)
+{
+    for (glm::vec4* const plane : {&generator.s_plane, &generator.t_plane}) {
+        const auto which = static_cast<glm::length_t>(random.below(4));
+        glm::vec4 only(0);
+        only[which] = (*plane)[which];
+        (*plane)[which] = 0;
+        if (random.below(3) == 0) *plane = only;
+    }
+    return generator;
 }
 
 /// Whatever the matrices are when the unit is called; and, half of the times, what somebody else has told OpenGL about
@@ -53,7 +74,7 @@ void choose_state(Random& random)
 void set(Recorder& out, const Generator& generator) { ask<set_generator>(out, generator); }
 
 // Each generator is set under one matrix, and used for several vertices under others. Now and then it is the one
-// before: others may have set their own in between.
+// before, or differs from it in one plane or in the mode only: others may have set their own in between.
 void fixed(Case& c, Recorder& out, const char* name, int rounds)
 {
     const gl::Framebuffer target(8, 8);
@@ -61,8 +82,12 @@ void fixed(Case& c, Recorder& out, const char* name, int rounds)
     Generator generator;
     for (int round = 0; round < rounds; ++round) {
         const Generation generation = round < 2 ? Generation::off : all_generations[c.random.below(3)];
-        const Generator other = random_generator(c.random, generation);
+        Generator other = random_generator(c.random, generation);
+        if (round % 4 == 0) other = with_zeros(c.random, other);
         if (round % 3 != 2) generator = other;
+        if (round % 12 == 5) generator.s_plane = other.s_plane;
+        if (round % 12 == 8) generator.t_plane = other.t_plane;
+        if (round % 12 == 11) generator.generation = other.generation;
         choose_state(c.random);
         set(out, generator);
         for (int i = 0; i < 4; ++i) out.append(name, probe.read(random_vertex(c.random)));
@@ -90,7 +115,8 @@ void shader(Case& c, Recorder& out, const char* name, int rounds)
     const ShaderProbe probe(ask<generator_vertex_shader>(out));
     for (int round = 0; round < rounds; ++round)
         for (const Generation generation : all_generations) {
-            const Generator generator = random_generator(c.random, generation);
+            Generator generator = random_generator(c.random, generation);
+            if (round % 4 == 0) generator = with_zeros(c.random, generator);
             const Vertex vertex = random_vertex(c.random);
             const glm::vec2 color(c.random.uniform(), vertex.tex_coord.y);
             out.columns(name, "st.s, st.t, shade.r, shade.g");

@@ -1,4 +1,5 @@
 #include <array>
+#include <kit/numbers_changed.hpp>
 #include <kit/refusal.hpp>
 #include <limits>
 #include <umbral/record/driver.hpp>
@@ -100,12 +101,19 @@ void textures(Random& random, Recorder& out)
         Grid<glm::vec4> texture = random_texture(random, size, size);
         for (glm::vec4& texel : texture.cells) texel = 8.0F * texel - 4.0F;
         record_mipmap(out, texture);
+        // As large as the one before, with one channel that is 0, or of one colour.
+        texture = random_texture(random, size, size);
+        const auto channel = static_cast<glm::length_t>(random.below(4));
+        for (glm::vec4& texel : texture.cells) texel[channel] = 0;
+        record_mipmap(out, texture);
+        record_mipmap(out, Grid<glm::vec4>(size, size, texture.at(1, 0)));
     }
+    record_mipmap(out, random_texture(random, 1, 1));
 }
 
 void record_refusals(Random& random, Recorder& out)
 {
-    for (const glm::ivec2 size : {glm::ivec2(3, 3), {4, 2}, {1, 2}, {6, 6}, {0, 0}, {12, 12}, {8, 7}}) {
+    for (const glm::ivec2 size : {glm::ivec2(3, 3), {4, 2}, {1, 2}, {2, 1}, {6, 6}, {0, 0}, {12, 12}, {8, 7}}) {
         const int good = 1 << random.below(4);
         const bool good_first = random.below(2) == 0;
         for (const bool is_good : {good_first, !good_first})
@@ -132,6 +140,61 @@ void levels(Random& random, Recorder& out)
         const glm::vec2 by_y =
             i % 2 == 0 ? random_step(random, -11, -1) : random.uniform(0.5F, 2) * glm::vec2(by_x.y, -by_x.x);
         out.append("steps", ask<level_of_step>(out, by_x, by_y, size));
+    }
+}
+
+// Both ways in which a question differs from the one before in one number only; steps with a coordinate that is 0, or
+// equal to the other, or of the same length; textures of one texel, row or column.
+void changed_levels(Random& random, Recorder& out)
+{
+    using Distances = std::pair<float, float>;
+    using Steps = std::pair<glm::vec2, glm::vec2>;
+    const auto is_positive = [](const Distances& d) { return d.first > 0 && d.second > 0; };
+    const auto any = [](const Steps& /*steps*/) { return true; };
+    for (int i = 0; i < 20; ++i) {
+        const float near = random.uniform(0.2F, 2);
+        for (const auto& [distance, one] : numbers_changed(random, Distances(3 * near, near), 2, is_positive))
+            out.append("distances", ask<level_at_distance>(out, distance, one));
+        // Further and further from the same place, and then nearer.
+        for (const float away : {random.uniform(1.1F, 2), random.uniform(2.5F, 9), random.uniform(0.1F, 0.9F), 1.0F})
+            out.append("distances", ask<level_at_distance>(out, near * away, near));
+
+        glm::ivec2 size(1 << (3 + random.below(7)), 1 << (3 + random.below(7)));
+        const Steps steps(random_step(random, -4, 0), random_step(random, -4, 0));
+        for (const auto& [by_x, by_y] : numbers_changed(random, steps, 4, any)) {
+            out.append("steps", ask<level_of_step>(out, by_x, by_y, size));
+            if (i % 4 == 0) out.append("steps", ask<level_of_step>(out, by_x, by_x, size));
+            size[i % 2] = size[i % 2] == 1 ? 64 : size[i % 2] / 2;
+            out.append("steps", ask<level_of_step>(out, by_x, by_y, size));
+        }
+        const float step = random.uniform(1.5F, 40);
+        size = i % 2 == 0 ? glm::ivec2(1, 256) : glm::ivec2(256, 1);
+        out.append("steps", ask<level_of_step>(out, step * steps.first, glm::vec2(step, 0), size));
+        out.append("steps", ask<level_of_step>(out, glm::vec2(0, step), glm::vec2(0), glm::ivec2(1)));
+    }
+}
+
+// The same texels but for one level of the mipmap, at the same place; then another place; then another level. One
+// coordinate is 0, or both are equal; all levels are of one colour.
+void changed_blends(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 24; ++i) {
+        Mipmap mipmap = random_mipmap(random, 8, 1 << random.below(3));
+        glm::vec2 uv(random.uniform(-2, 2), random.uniform(-2, 2));
+        if (i % 4 < 2) uv[i % 2] = 0;
+        if (i % 4 == 2) uv.y = uv.x;
+        const float last = static_cast<float>(mipmap.size() - 1);
+        const float level = random.uniform(0.05F, last == 0 ? 0.95F : last - 0.05F);
+        const char* const value = level < last ? "between" : "ends";
+        out.append(value, ask<trilinear>(out, mipmap, uv, level));
+        for (Grid<glm::vec4>& changed : mipmap) {
+            changed = random_texture(random, changed.width, changed.height);
+            out.append(value, ask<trilinear>(out, mipmap, uv, level));
+        }
+        uv[i % 2] += random.uniform(0.1F, 0.4F);
+        out.append(value, ask<trilinear>(out, mipmap, uv, level));
+        out.append("ends", ask<trilinear>(out, mipmap, uv, random.below(2) == 0 ? 0 : last));
+        out.append("ends", ask<trilinear>(out, {mipmap.front()}, uv, level));
     }
 }
 
@@ -178,8 +241,8 @@ const Driver driver = {
     {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
     {"textures", [](Case& c, Recorder& out) { textures(c.random, out); }},
     {"refused", [](Case& c, Recorder& out) { record_refusals(c.random, out); }},
-    {"levels", [](Case& c, Recorder& out) { levels(c.random, out); }},
-    {"blends", [](Case& c, Recorder& out) { blends(c.random, out); }},
+    {"levels", [](Case& c, Recorder& out) { levels(c.random, out), changed_levels(c.random, out); }},
+    {"blends", [](Case& c, Recorder& out) { blends(c.random, out), changed_blends(c.random, out); }},
     {"extreme", [](Case& c, Recorder& out) { extreme(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("colours", picture(out, 480, 300, c.vary)); }},
 };

@@ -38,6 +38,17 @@ inline Point in_unit(Point point, float unit)
     return point;
 }
 
+/// Of the axes of the world and their opposites that which is closest to a direction.
+inline glm::vec3 axis_next_to(const glm::vec3& direction)
+{
+    int axis = 0;
+    for (int i = 1; i < 3; ++i)
+        if (std::abs(direction[i]) > std::abs(direction[axis])) axis = i;
+    glm::vec3 result(0);
+    result[axis] = direction[axis] < 0 ? -1.0F : 1.0F;
+    return result;
+}
+
 /// In the beam, beside it, and behind the projector, 2 % from the beam's border at least, in any unit of length.
 inline std::vector<Point> random_points(Random& random, int count)
 {
@@ -55,6 +66,12 @@ inline std::vector<Point> random_points(Random& random, int count)
             glm::normalize(random.unit_vector() + 1.3F * glm::normalize(point.projector.position - point.place));
         point.color = glm::vec3(0.6F) + 0.35F * random.in_cube();
         point.model = random_placement(random);
+        // Now and then a light or a surface has none of a colour, or a surface faces along an axis.
+        const int channel = i / 4 % 3;
+        if (i % 4 == 0) point.color[channel] = 0;
+        if (i % 8 == 1) point.projector.lamp[channel] = 0;
+        if (i % 8 == 5) point.projector.ambient[channel] = 0;
+        if (i % 8 == 2) point.normal = axis_next_to(point.projector.position - point.place);
         points.push_back(in_unit(point, random_unit(random, -10, 10)));
     }
     return points;

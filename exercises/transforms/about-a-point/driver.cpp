@@ -6,6 +6,7 @@
 #include <umbral/record/driver.hpp>
 
 #include "../support.hpp"
+#include "changed.hpp"
 #include "kaleidoscope.hpp"
 
 namespace umbral {
@@ -91,6 +92,7 @@ void record_random(Random& random, Recorder& out)
         const float size = random.uniform(0.5F, 4);
         out.append("alignment", ask<alignment>(out, direction.x > 0 ? 3.0F * from : from,
                                                size * (std::cos(angle) * from + std::sin(angle) * aside)));
+        if (i % 5 == 0) record_changed(random, out);
     }
 }
 

@@ -4,14 +4,13 @@
 
 #include "../support.hpp"
 #include "bent_maps.hpp"
+#include "changed_maps.hpp"
 #include "measured_maps.hpp"
 
 namespace umbral {
 namespace {
 
 using namespace transforms;
-
-void record_matrix(Recorder& out, const Pairs& pairs) { out.append("matrix", ask<affine_from_points>(out, pairs)); }
 
 // Maps of the unit points and of others that a hand can find, and the defects of small parallelograms.
 void record_known(Variation& vary, Recorder& out)
@@ -45,6 +44,8 @@ void record_random(Random& random, Recorder& out)
         std::array<glm::vec3, 4> corners;
         for (glm::vec3& corner : corners) corner = 4.0F * random.in_cube();
         out.append("defect", ask<parallelogram_defect>(out, corners));
+        if (i % 10 == 0) record_changed(random, out, corners);
+        if (i % 8 == 0) record_other_pairs(random, out, points);
     }
 }
 
@@ -80,7 +81,7 @@ void record_planes(Random& random, Recorder& out)
         while (solid.size() < 4) solid.emplace_back(1, 1, 0);
         solid.back().z = a * solid.back().x + b * solid.back().y + 4;
         if (i % 8 == 1) flat.assign(4, flat.front());
-        if (i == 0) flat.clear();
+        if (i % 8 == 0 && i < 24) flat.resize(static_cast<std::size_t>(i / 8));
         const bool flat_first = random.below(2) == 1;
         // Images may be of any size, or flat themselves: only the points count.
         const double size = std::ldexp(1.0, static_cast<int>(random.below(60)) - 30);

@@ -1,6 +1,8 @@
 #include <cmath>
+#include <kit/numbers_changed.hpp>
 #include <limits>
 #include <numbers>
+#include <tuple>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 #include <vector>
@@ -90,6 +92,40 @@ void record_no_steps(Random& random, Recorder& out)
     }
 }
 
+// Chains of questions in which one number changes: coordinates, factors and angles that are 0, equal, or the only one
+// that differs from the call before. None becomes larger than random ones are: that is what the tolerances are for.
+void record_changed(Random& random, Recorder& out, int i)
+{
+    const auto is_near = [](const glm::vec3& v) { return std::abs(v.x) < 8 && std::abs(v.y) < 8 && std::abs(v.z) < 8; };
+    const glm::vec3 numbers = 8.0F * random.in_cube();
+    for (const glm::vec3& offset : numbers_changed(random, numbers, 3, is_near))
+        out.append("translation", ask<translation_matrix>(out, offset));
+    for (const glm::vec3& factors : numbers_changed(random, numbers, 3, is_near))
+        out.append("scaling", ask<scaling_matrix>(out, factors));
+    for (const auto& [moved, by, amount] : {std::tuple(i % 3, (i + 1) % 3, numbers.x),
+                                            {i % 3, (i + 1) % 3, numbers.y},
+                                            {i % 3, (i + 2) % 3, numbers.y},
+                                            {(i + 1) % 3, (i + 2) % 3, numbers.y},
+                                            {(i + 1) % 3, (i + 2) % 3, i % 2 == 0 ? 0 : 1.0F}})
+        out.append("shear", ask<shear_matrix>(out, moved, by, amount));
+    const glm::mat4 matrix = given_matrix(random);
+    for (const glm::vec3& point : numbers_changed(random, numbers, 3, is_near)) {
+        out.append("point", ask<transform_point>(out, matrix, point));
+        out.append("vector", ask<transform_vector>(out, matrix, point));
+    }
+    glm::mat4 other = matrix;
+    other[i % 3] = glm::vec4(0);
+    other[3][i % 3] = 0;
+    out.append("point", ask<transform_point>(out, matrix, numbers));
+    out.append("point", ask<transform_point>(out, other, numbers));
+    out.append("vector", ask<transform_vector>(out, matrix, numbers));
+    out.append("vector", ask<transform_vector>(out, other, numbers));
+    // The same step again, at once or later, and one step of a list that changes.
+    const glm::mat4 last = given_matrix(random);
+    for (const auto& steps : {std::vector{matrix, last, last}, {matrix, last, matrix}, {other, last, matrix}})
+        out.append("composed", ask<compose_matrices>(out, steps));
+}
+
 void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
@@ -103,6 +139,8 @@ void record_random(Random& random, Recorder& out)
         glm::mat4 far = matrix;
         if (i % 3 == 0) far[3] = glm::vec4(1e7F * random.in_cube(), 1);
         out.append("vector", ask<transform_vector>(out, far, numbers));
+        if (i % 4 == 0) record_changed(random, out, i / 4);
+        if (i % 10 == 0) record_rotations(i % 20 == 0 ? 0 : random.uniform(-1, 1), out);
     }
     // Every third chain is flattened by one of its steps.
     for (std::size_t i = 0; i < 60; ++i) {

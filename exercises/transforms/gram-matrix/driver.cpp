@@ -1,8 +1,10 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <kit/numbers_changed.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
+#include <utility>
 
 #include "../support.hpp"
 #include "slanted_paper.hpp"
@@ -91,6 +93,42 @@ void record_both_hands(Random& random, Recorder& out)
     }
 }
 
+/// A question in which single numbers can change: those of matrices stay.
+struct Couple {
+    glm::vec3 e0;
+    glm::vec3 e1;
+    glm::vec3 e2;
+    glm::vec3 a;
+    glm::vec3 b;
+};
+
+/// As random ones are: no longer, the basis no flatter, and the vectors not nearly parallel.
+bool is_clear(const Couple& couple)
+{
+    const auto& [e0, e1, e2, a, b] = couple;
+    const auto is_usual = [](const glm::vec3& v, float most) { return length(v) > 0.4F && length(v) < most; };
+    if (!is_usual(e0, 2.5F) || !is_usual(e1, 2.5F) || !is_usual(e2, 2.5F)) return false;
+    if (!is_usual(a, 4) || !is_usual(b, 4)) return false;
+    const glm::mat3 basis(e0, e1, e2);
+    const glm::vec3 one = basis * a;
+    const glm::vec3 other = basis * b;
+    return std::abs(dot(cross(e0, e1), e2)) > 0.3F * length(e0) * length(e1) * length(e2) &&
+           length(cross(one, other)) > 0.2F * length(one) * length(other);
+}
+
+// Chains of questions in which one number changes, so that it is 0, equal to another, or its vector the only one that
+// differs from the call before.
+void record_changed(Random& random, Recorder& out)
+{
+    const glm::mat3 basis = oblique(random);
+    const glm::vec3 a = some_vector(random);
+    const glm::vec3 aside = length(a) * normalize(cross(a, random.unit_vector()));
+    const Couple couple{basis[0], basis[1], basis[2], a, aside + random.uniform(-0.5F, 0.5F) * a};
+    for (const auto& [e0, e1, e2, one, other] : numbers_changed(random, couple, 8, is_clear))
+        record(out, glm::mat3(e0, e1, e2), one, other);
+    out.append("dot", ask<dot_from_gram>(out, gram_of(basis), a, a));
+}
+
 void record_random(Random& random, Recorder& out)
 {
     glm::mat3 basis;
@@ -102,6 +140,7 @@ void record_random(Random& random, Recorder& out)
             basis = oblique(random);
         const glm::vec3 a = some_vector(random);
         record(out, basis, a, some_vector(random));
+        if (i % 5 == 1) record_changed(random, out);
     }
 }
 
@@ -119,8 +158,10 @@ glm::ivec3 large_whole(Random& random)
 void record_exact(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
-        const glm::ivec3 a = large_whole(random);
-        const glm::ivec3 b = large_whole(random);
+        glm::ivec3 a = large_whole(random);
+        glm::ivec3 b = large_whole(random);
+        // Two times in five one of them is without one of its components.
+        if (i % 5 < 2) (i % 5 == 0 ? a : b)[i / 5 % 3] = 0;
         const glm::ivec3 in_plane = i % 3 == 0 ? a : i % 3 == 1 ? b : a - b;
         glm::ivec3 beside = large_whole(random);
         if (i % 2 == 0) {
@@ -130,8 +171,10 @@ void record_exact(Random& random, Recorder& out)
         const bool beside_first = random.below(2) == 1;
         for (const bool is_beside : {beside_first, !beside_first}) {
             const glm::ivec3& c = is_beside ? beside : in_plane;
-            const std::int64_t volume =
-                i % 4 < 2 ? ask<triple_product>(out, a, b, c) : ask<triple_product>(out, c, a, b);
+            // The pair differs in its last vector alone, its first, or its middle one.
+            const std::int64_t volume = i % 4 < 2    ? ask<triple_product>(out, a, b, c)
+                                        : i % 3 == 1 ? ask<triple_product>(out, a, c, b)
+                                                     : ask<triple_product>(out, c, a, b);
             out.append("volume", static_cast<double>(volume));
             out.append("digits", static_cast<std::int32_t>(volume % 1'000'000));
         }

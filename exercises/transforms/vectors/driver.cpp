@@ -1,4 +1,5 @@
 #include <cmath>
+#include <kit/numbers_changed.hpp>
 #include <limits>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
@@ -58,21 +59,34 @@ float some_length(Random& random)
     return 1 + some_size(random, -5.5F, -3) * (random.below(2) == 0 ? 1.0F : -1.0F);
 }
 
-void record_random(Random& random, Recorder& out)
-{
-    for (int i = 0; i < 200; ++i) {
-        const glm::vec3 a = some_length(random) * random.unit_vector();
-        const glm::vec3 b = some_length(random) * random.unit_vector();
-        record({a, b}, out);
-    }
-}
-
 /// On an axis, of another length than 1: not null, though two of its components are.
 glm::vec3 on_an_axis(Random& random)
 {
     glm::vec3 vector(0);
     vector[static_cast<int>(random.below(3))] = random.uniform(1.5F, 8) * (random.below(2) == 0 ? 1.0F : -1.0F);
     return vector;
+}
+
+// Chains of couples in which one number changes, so that any component is 0, or the only one that differs from before.
+// Neither vector is null, and no component larger than random ones are: that is what the tolerances are for.
+void record_changed(Random& random, Recorder& out, const Couple& couple)
+{
+    const auto is_near = [](const glm::vec3& v) { return length(v) > 0.25F && length(v) < 8; };
+    const auto allowed = [&](const Couple& changed) { return is_near(changed.a) && is_near(changed.b); };
+    for (const Couple& changed : numbers_changed(random, couple, 6, allowed)) record(changed, out);
+    // Two arguments that are one vector; and a vector without two of its components beside any other.
+    record({couple.a, couple.a}, out);
+    record({on_an_axis(random), couple.b}, out);
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) {
+        const glm::vec3 a = some_length(random) * random.unit_vector();
+        const glm::vec3 b = some_length(random) * random.unit_vector();
+        record({a, b}, out);
+        if (i % 10 == 0) record_changed(random, out, {a, b});
+    }
 }
 
 /// Null, as 0 or as -0.
