@@ -246,9 +246,10 @@ void record_coordinates(Random& random, Recorder& out)
     // Hardly anything: no vertices, no strips, strips of nothing, of one index, and of the same one. Then the same
     // strips over other positions.
     const glm::vec3 place = random.in_cube();
-    for (const std::vector<Strip>& strips : std::vector<std::vector<Strip>>{{}, {{}}, {{}, {}}}) record({}, strips);
-    for (const std::vector<Strip>& strips : std::vector<std::vector<Strip>>{{}, {{0}}, {{0, 0, 0}, {}}, {{}, {0}}})
-        for (const glm::vec3& other : {place, 2.0F * place}) record({other}, strips);
+    record({}, {});
+    record({}, {{}, {}});
+    record({place}, {{0}, {}});
+    for (const glm::vec3& other : {place, 2.0F * place}) record({other}, {{0, 0, 0}, {}});
     record({place, place, {0, 0, 0}}, {{2, 0, 1}, {1, 2}});
     // More vertices than numbers of 32 bits can count.
     for (const std::uint64_t vertices :

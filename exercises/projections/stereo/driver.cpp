@@ -6,6 +6,7 @@
 
 #include "../volumes.hpp"
 #include "anaglyphs.hpp"
+#include "screens.hpp"
 
 namespace umbral {
 namespace {
@@ -82,52 +83,6 @@ void record_known_parallax(Variation& vary, Recorder& out)
         record_distance(out, screen, parallax * apart);
 }
 
-/// A screen from a telephone to a cinema, seen by eyes of 1 to 20 % of its width.
-StereoScreen random_screen(Random& random)
-{
-    const float width = std::pow(10.0F, random.uniform(-1, 1));
-    const float height = width * random.uniform(0.4F, 2);
-    const float distance = width * random.uniform(0.5F, 4);
-    const float separation = width * random.uniform(0.01F, 0.2F);
-    const float near_plane = distance * random.uniform(0.05F, 1.5F);
-    return {width, height, distance, separation, near_plane, near_plane * std::pow(10.0F, random.uniform(0.2F, 4))};
-}
-
-/// The same in another unit of length.
-StereoScreen in_units(const StereoScreen& s, float unit)
-{
-    return {unit * s.width,          unit * s.height,     unit * s.distance,
-            unit * s.eye_separation, unit * s.near_plane, unit * s.far_plane};
-}
-
-/// One in three in a unit of length in which all numbers are tiny: a tolerance that is a length is wrong there.
-StereoScreen in_some_units(const StereoScreen& screen, int i, Random& random)
-{
-    return in_units(screen, i % 3 == 0 ? std::pow(10.0F, random.uniform(-9, -5)) : 1.0F);
-}
-
-/// A pair of cameras as somebody has set them up: turned inwards and against each other, one a little higher. Not the
-/// student's, so that a wrong pair does not hide a wrong disparity.
-StereoPair given_pair(const StereoScreen& s, Random& random)
-{
-    const auto eye = [&](float x) {
-        const glm::vec3 target(0.1F * s.distance * random.in_cube() - glm::vec3(0, 0, s.distance));
-        const glm::vec3 up(random.uniform(-0.1F, 0.1F), 1, 0);
-        const float aside = random.uniform(-0.2F, 0.2F);
-        return EyeMatrices{glm::lookAt(glm::vec3(x, 0, 0), target, up),
-                           glm::frustum(aside - 0.5F, aside + 0.5F, -0.4F, 0.4F, 1.0F, 1000.0F)};
-    };
-    const EyeMatrices left = eye(-s.eye_separation / 2);
-    return {left, eye(s.eye_separation / 2)};
-}
-
-/// A point that both eyes have before them.
-glm::vec3 point_before(const StereoScreen& s, Random& random)
-{
-    const float depth = s.distance * random.uniform(0.5F, 10);
-    return depth * glm::vec3(random.uniform(-0.5F, 0.5F), random.uniform(-0.5F, 0.5F), -1);
-}
-
 /// The same viewer before another screen: only the eyes and the distance stay.
 StereoScreen another_screen(const StereoScreen& s, Random& random)
 {
@@ -135,6 +90,22 @@ StereoScreen another_screen(const StereoScreen& s, Random& random)
     other.distance = s.distance;
     other.eye_separation = s.eye_separation;
     return other;
+}
+
+void record_changed(Random& random, Recorder& out)
+{
+    for (const StereoScreen& screen : changed_screens(random)) record(out, screen);
+    for (const auto& [screen, distance] : changed_distances(random)) record_parallax(out, screen, distance);
+    for (const auto& [screen, parallax] : changed_parallaxes(random)) record_distance(out, screen, parallax);
+    const StereoScreen screen = random_screen(random);
+    const StereoPair pair = given_pair(screen, random);
+    const std::vector<glm::vec3> points = changed_points(random, screen);
+    for (const glm::vec3& point : points) record_disparity(out, pair, point);
+    // The last point again, for another eye on one side, and for twice the same eye.
+    const StereoPair other = given_pair(screen, random);
+    for (const StereoPair& changed :
+         {StereoPair{pair.left, other.right}, {other.left, other.right}, {other.left, other.left}})
+        record_disparity(out, changed, points.back());
 }
 
 void record_random(Random& random, Recorder& out)
@@ -153,6 +124,7 @@ void record_random(Random& random, Recorder& out)
         if (i % 4 == 1) record_distance(out, farther, seen);
         const StereoPair pair = given_pair(other, random);
         record_disparity(out, pair, point_before(other, random));
+        if (i % 5 == 0) record_changed(random, out);
     }
 }
 

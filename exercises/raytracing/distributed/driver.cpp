@@ -28,8 +28,12 @@ void record_lenses(Recorder& out, const std::vector<LensQuestion>& lenses)
 
 void record_random_lenses(Random& random, Recorder& out)
 {
-    record_lenses(out, random_lenses(random, 300));
-    for (const LensQuestion& question : random_lenses(random, 30)) record_lenses(out, changed_lenses(random, question));
+    std::vector<LensQuestion> lenses = random_lenses(random, 300);
+    for (const LensQuestion& question : random_lenses(random, 30)) {
+        const std::vector<LensQuestion> changed = changed_lenses(random, question);
+        lenses.insert(lenses.end(), changed.begin(), changed.end());
+    }
+    record_lenses(out, lenses);
 }
 
 void record_disc(Random& random, Recorder& out)

@@ -52,7 +52,8 @@ void random_distances(Recorder& out, Random& random)
         out.append("box", ask<box_distance>(out, p, size * half) / size);
         out.append("torus", ask<torus_distance>(out, p, large, small) / size);
         const glm::vec3 a = 2 * size * random.in_cube();
-        const glm::vec3 b = i % 10 == 0 ? a : 2 * size * random.in_cube();
+        glm::vec3 b = i % 10 < 2 ? a : 2 * size * random.in_cube();
+        if (i % 10 == 1) b[i / 10 % 3] += size * random.uniform(1, 3);  // along an axis
         out.append("capsule", ask<capsule_distance>(out, p, a, b, small) / size);
     }
 }
@@ -69,9 +70,7 @@ void distances_changed(Recorder& out, Random& random)
             out.append("ball", ask<ball_distance>(out, q, radius));
         for (const auto& [q, half] : numbers_changed(random, std::tuple(p, large + 0.9F * random.in_cube()), 5, any))
             out.append("box", ask<box_distance>(out, q, half));
-        const auto is_torus = [](const auto& one) {
-            return std::get<1>(one) >= std::get<2>(one) && std::get<2>(one) > 0;
-        };
+        const auto is_torus = [](const auto& q) { return std::get<1>(q) >= std::get<2>(q) && std::get<2>(q) > 0; };
         for (const auto& [q, major, minor] : numbers_changed(random, std::tuple(p, large, small), 5, is_torus))
             out.append("torus", ask<torus_distance>(out, q, major, minor));
         const auto is_capsule = [](const auto& one) { return std::get<3>(one) > 0; };
