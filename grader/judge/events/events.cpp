@@ -11,7 +11,6 @@
 
 #include "judge/events/partners.hpp"
 #include "judge/events/rule.hpp"
-#include "judge/explain/thresholds.hpp"
 #include "judge/rows/row_ranks.hpp"
 #include "judge/rows/tolerance.hpp"
 
@@ -185,20 +184,6 @@ Alignment align_events(const Check& check, const TensorView& a, const TensorView
     return alignment;
 }
 
-namespace {
-
-/// How many events of both sides find no partner, though each bound were thresholds::clear_ratio times as wide.
-std::size_t clearly_wrong(const Check& check, const TensorView& yours, const TensorView& expected)
-{
-    Check wide = check;
-    for (std::optional<double>* const bound :
-         {&wide.tolerance.absolute, &wide.tolerance.relative, &wide.tolerance.ulps})
-        if (*bound) **bound *= thresholds::clear_ratio;
-    return yours.cells() + expected.cells() - 2 * align_events(wide, yours, expected).matches.size();
-}
-
-}
-
 Judgement judge_events(const Check& check, const Tensor& student, const Tensor& expected_tensor, const Tensor* names)
 {
     const TensorView expected(expected_tensor);
@@ -220,7 +205,8 @@ Judgement judge_events(const Check& check, const Tensor& student, const Tensor& 
     const std::optional<Gap> gap = first_gap(alignment, yours.cells(), expected.cells());
     if (!gap) return judgement;
 
-    judgement.clearly_wrong = clearly_wrong(check, yours, expected);
+    const Alignment wide = align_events(with_wide_bounds(check), yours, expected);
+    judgement.clearly_wrong = yours.cells() + expected.cells() - 2 * wide.matches.size();
     const EventWriter write(expected, text_of(names));
     FirstApart shown;
     if (gap->surplus > 0) shown.yours = gap->yours;

@@ -17,7 +17,6 @@ constexpr std::size_t most_shown_whole = 4;  ///< numbers of a row that are read
 struct RowError {
     bool right = true;
     bool comparable = false;  ///< both sides have a value
-    bool clear = false;       ///< wrong by more than rounding explains (Deviation)
     double error = 0;         ///< the worst of its components; infinite if not finite
 };
 
@@ -45,7 +44,6 @@ RowError compare_row(const Check& check, const TensorView& student, const Tensor
     RowError row;
     if (!student.present(index) || !expected.present(index)) {
         row.right = student.present(index) == expected.present(index);
-        row.clear = !row.right;
         return row;
     }
     row.comparable = true;
@@ -55,7 +53,6 @@ RowError compare_row(const Check& check, const TensorView& student, const Tensor
     for (std::size_t i = 0; i < target.size(); ++i) {
         const Deviation found = deviation(check.tolerance, student.cell(index)[i], target[i], kind.scale(target, i));
         row.right = row.right && found.right;
-        row.clear = row.clear || found.clear;
         if (!found.right || found.within) row.error = std::max(row.error, found.error);
     }
     return row;
@@ -199,11 +196,13 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
     const TensorView expected(expected_tensor);
     const std::vector<bool> counted = counted_rows(check, margin, expected.cells());
     const std::size_t group = check.pairs ? 2 : 1;
+    const Check wide = with_wide_bounds(check);
 
     std::size_t units = 0;
     std::size_t wrong_units = 0;
     std::size_t rows = 0;
     std::size_t wrong = 0;
+    std::size_t clearly_wrong = 0;
     std::size_t missing = 0;
     std::size_t extra = 0;
     std::size_t not_finite = 0;
@@ -211,7 +210,6 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
     std::optional<std::size_t> first_wrong;
     std::optional<std::size_t> worst_wrong;
     RowError worst;
-    Judgement result;
     for (std::size_t start = 0; start < expected.cells(); start += group) {
         bool unit_right = true;
         if (!counted[start]) continue;
@@ -223,7 +221,7 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
             if (row.right) continue;
             unit_right = false;
             ++wrong;
-            if (row.clear) ++result.clearly_wrong;
+            if (!compare_row(wide, student, expected, i, kind).right) ++clearly_wrong;
             if (!row.comparable) ++(expected.present(i) ? missing : extra);
             if (!first_wrong) first_wrong = i;
             if (!worst_wrong || row.error > worst.error) worst_wrong = i, worst = row;
@@ -234,6 +232,8 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
     if (units == 0)
         fault(check, "no row counts: the recording is empty, or every row lies in the band that is left out");
 
+    Judgement result;
+    result.clearly_wrong = clearly_wrong;
     result.right = static_cast<double>(units - wrong_units) / static_cast<double>(units);
     if (not_finite == 0 && (!errors.empty() || wrong == 0))
         result.error = errors.empty() ? 0.0 : *std::max_element(errors.begin(), errors.end());

@@ -17,6 +17,14 @@ Unit unit_of(const Tolerance& tolerance)
     return tolerance.ulps ? Unit::ulps : tolerance.relative ? Unit::relative : Unit::absolute;
 }
 
+Check with_wide_bounds(Check check)
+{
+    Tolerance& tolerance = check.tolerance;
+    for (std::optional<double>* const bound : {&tolerance.absolute, &tolerance.relative, &tolerance.ulps})
+        if (*bound) **bound *= thresholds::clear_ratio;
+    return check;
+}
+
 double float_ulp(double value)
 {
     constexpr float largest = std::numeric_limits<float>::max();
@@ -28,28 +36,22 @@ double float_ulp(double value)
 Deviation deviation(const Tolerance& tolerance, double student, double expected, const Scale& scale)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (!std::isfinite(student)) return {false, false, true, infinity};
+    if (!std::isfinite(student)) return {false, false, infinity};
     const double distance = std::abs(student - expected);
-    if (distance == 0) return {true, true, false, 0};
+    if (distance == 0) return {true, true, 0};
 
     const double in_ulps = scale.ulp > 0 ? distance / scale.ulp : infinity;
     const double in_sizes = scale.size > 0 ? distance / scale.size : infinity;
-    const auto holds = [](const std::optional<double>& bound, double found, double ratio) {
-        return bound && found <= *bound * ratio;
-    };
-    const bool ulps = holds(tolerance.ulps, in_ulps, 1);
-    const bool relative = holds(tolerance.relative, in_sizes, 1);
-    const bool absolute = holds(tolerance.absolute, distance, 1);
+    const bool ulps = tolerance.ulps && in_ulps <= *tolerance.ulps;
+    const bool relative = tolerance.relative && in_sizes <= *tolerance.relative;
+    const bool absolute = tolerance.absolute && distance <= *tolerance.absolute;
     const bool right = ulps || relative || absolute;
-    const bool clear = !holds(tolerance.ulps, in_ulps, thresholds::clear_ratio) &&
-                       !holds(tolerance.relative, in_sizes, thresholds::clear_ratio) &&
-                       !holds(tolerance.absolute, distance, thresholds::clear_ratio);
     switch (unit_of(tolerance)) {
-        case Unit::ulps: return {right, ulps, clear, in_ulps};
-        case Unit::relative: return {right, relative, clear, in_sizes};
+        case Unit::ulps: return {right, ulps, in_ulps};
+        case Unit::relative: return {right, relative, in_sizes};
         case Unit::absolute: break;
     }
-    return {right, absolute, clear, distance};
+    return {right, absolute, distance};
 }
 
 std::string error_text(Unit unit, double error)

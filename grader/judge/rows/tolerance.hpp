@@ -19,12 +19,14 @@ struct Scale {
 struct Deviation {
     bool right = false;   ///< at least one of the given bounds holds; never for a non-finite value
     bool within = false;  ///< the bound of the unit itself holds
-    bool clear = false;   ///< no bound would hold if each were thresholds::clear_ratio times as wide
     double error = 0;     ///< in the unit of the tolerance; infinite for a non-finite value, or relative to nothing
 };
 
 [[nodiscard]] bool has_bound(const Tolerance& tolerance);
 [[nodiscard]] Unit unit_of(const Tolerance& tolerance);
+
+/// The check with each bound thresholds::clear_ratio times as wide: what is wrong by this, too, no rounding explains.
+[[nodiscard]] Check with_wide_bounds(Check check);
 
 /// Spacing of the floats just above |value|; for values beyond float's range, of the largest floats.
 [[nodiscard]] double float_ulp(double value);
