@@ -4,8 +4,10 @@
 #include <glm/glm.hpp>
 #include <tuple>
 #include <umbral/core/random.hpp>
+#include <umbral/record/call_text.hpp>
 #include <umbral/record/literal.hpp>
 #include <umbral/record/reflect.hpp>
+#include <utility>
 #include <vector>
 
 #include "varied.hpp"
@@ -20,11 +22,6 @@ struct NumberPlace {
     const float* beside = nullptr;
 };
 
-template <class Type>
-inline constexpr bool is_list = false;
-template <class Element>
-inline constexpr bool is_list<std::vector<Element>> = true;
-
 inline void add_numbers(float& number, std::vector<NumberPlace>& places) { places.push_back({&number, nullptr}); }
 
 template <glm::length_t L>
@@ -37,7 +34,7 @@ void add_numbers(glm::vec<L, float>& vector, std::vector<NumberPlace>& places)
 template <class Value>
 void add_numbers(Value& value, std::vector<NumberPlace>& places)
 {
-    if constexpr (is_list<Value>)
+    if constexpr (GrowingList<Value>)
         for (auto& element : value) add_numbers(element, places);
     else if constexpr (requires { std::tuple_size<Value>::value; })
         std::apply([&](auto&... each) { (add_numbers(each, places), ...); }, value);
@@ -78,7 +75,7 @@ template <class Question, class Allowed>
         const std::uint32_t first = random.below(4);
         for (std::uint32_t way = first; way < first + 4; ++way) {
             *place.number = detail::changed_number(random, place, way);
-            if (*place.number != before && allowed(static_cast<const Question&>(question))) {
+            if (*place.number != before && allowed(std::as_const(question))) {
                 all.push_back(question);
                 break;
             }
@@ -86,6 +83,13 @@ template <class Question, class Allowed>
         }
     }
     return all;
+}
+
+/// The same where the statement allows any numbers.
+template <class Question>
+[[nodiscard]] std::vector<Question> numbers_changed(Random& random, const Question& question, std::size_t most)
+{
+    return numbers_changed(random, question, most, [](const Question& /*any*/) { return true; });
 }
 
 }

@@ -108,10 +108,9 @@ inline void record_changed_moves(Recorder& out, Random& random)
 /// Coordinates that are 0 or equal, and one that is the only other one than before.
 inline void record_changed_views(Recorder& out, Random& random)
 {
-    const auto any = [](const auto& /*question*/) { return true; };
     for (int i = 0; i < 16; ++i)
         for (const auto& [place, cursor] :
-             numbers_changed(random, std::pair(glm::vec2(random.in_cube()), 4.0F * random.in_cube()), 5, any))
+             numbers_changed(random, std::pair(glm::vec2(random.in_cube()), 4.0F * random.in_cube()), 5))
             for (const LinkedView view : {LinkedView::front, LinkedView::top, LinkedView::side}) {
                 out.append("shown", ask<cursor_in_view>(out, view, glm::dvec3(cursor)));
                 out.append("entered",

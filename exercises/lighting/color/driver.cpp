@@ -1,4 +1,5 @@
 #include <array>
+#include <kit/channels.hpp>
 #include <kit/color.hpp>
 #include <limits>
 #include <umbral/record/ask.hpp>
@@ -96,7 +97,7 @@ void all_codes(Variation& vary, Random& random, Recorder& out)
 // The same lamps but for one channel, which is off; then one of them is there twice, alone at last.
 void record_other_lamps(Random& random, Recorder& out, std::vector<Lamp> lamps)
 {
-    lamps.back().color[static_cast<int>(random.below(3))] = 0;
+    lamps.back().color = without_a_channel(random, lamps.back().color);
     out.append("sums", ask<add_lights>(out, lamps));
     lamps.push_back(lamps.back());
     out.append("sums", ask<add_lights>(out, lamps));
@@ -119,10 +120,7 @@ void at_random(Random& random, Recorder& out)
         // The same but for one channel.
         color[i % 3] = clear_light(random);
         record_pixel(out, color);
-        if (i % 5 == 0) {
-            color[static_cast<int>(random.below(3))] = 0;
-            record_pixel(out, color);
-        }
+        if (i % 5 == 0) record_pixel(out, without_a_channel(random, color));
         std::vector<glm::u8vec3> pixels = pixels_of_kind(random, i);
         record_mean(out, pixels);
         if (i % 2 != 0) continue;

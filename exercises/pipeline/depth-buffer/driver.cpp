@@ -1,3 +1,4 @@
+#include <kit/channels.hpp>
 #include <kit/refusal.hpp>
 #include <kit/varied.hpp>
 #include <umbral/core/random.hpp>
@@ -147,9 +148,8 @@ void record_colors(Recorder& out, const char* name, std::size_t scenario, const 
 // Light, which may be more than a screen shows, or have none of a colour.
 glm::vec3 random_color(Random& random)
 {
-    glm::vec3 color = 0.1F + 1.9F * glm::abs(random.in_cube());
-    if (random.below(6) == 0) color[static_cast<glm::length_t>(random.below(3))] = 0;
-    return color;
+    const glm::vec3 color = 0.1F + 1.9F * glm::abs(random.in_cube());
+    return random.below(6) == 0 ? without_a_channel(random, color) : color;
 }
 
 void record_drawing(Random& random, Recorder& out)

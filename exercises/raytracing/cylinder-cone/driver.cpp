@@ -43,9 +43,7 @@ void record_fields(Random& random, Recorder& out)
     };
     for (const glm::vec3& place : places) record_at(place, 1);
     for (int i = 0; i < 12; ++i)
-        for (const glm::vec3& place :
-             numbers_changed(random, 3.0F * random.in_cube(), 3, [](const glm::vec3&) { return true; }))
-            record_at(place, 1);
+        for (const glm::vec3& place : numbers_changed(random, 3.0F * random.in_cube(), 3)) record_at(place, 1);
     for (int i = 0; i < 30; ++i) {
         const float size = std::ldexp(1.0F, 1 + static_cast<int>(random.below(20)));
         record_at(3.0F * size * random.in_cube(), size * size);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kit/channels.hpp>
 #include <kit/single_points.hpp>
 
 #include "stage.hpp"
@@ -17,9 +18,8 @@ struct OneRay {
 /// Of six, one lacks a channel.
 inline glm::vec3 random_color(Random& random, float most)
 {
-    glm::vec3 color = 0.5F * most * (glm::vec3(1) + random.in_cube());
-    if (random.below(6) == 0) color[static_cast<int>(random.below(3))] = 0;
-    return color;
+    const glm::vec3 color = 0.5F * most * (glm::vec3(1) + random.in_cube());
+    return random.below(6) == 0 ? without_a_channel(random, color) : color;
 }
 
 template <class Visit>

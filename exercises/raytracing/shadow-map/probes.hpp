@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kit/channels.hpp>
 #include <kit/placement.hpp>
 
 #include "stage.hpp"
@@ -126,7 +127,8 @@ inline std::vector<ShadowProbe> probe_pairs(Random& random, int count, const Pro
             probe.color = glm::vec3(0.6F) + 0.35F * random.in_cube();
             // Of four one lacks a colour: the surface, the light, or the light that is everywhere.
             glm::vec3* const colors[] = {&probe.color, &probe.light.color, &probe.light.ambient};
-            if (random.below(4) == 0) (*colors[random.below(3)])[static_cast<int>(random.below(3))] = 0;
+            glm::vec3& color = *colors[random.below(3)];
+            if (random.below(4) == 0) color = without_a_channel(random, color);
             probe.model = random_placement(random);
             const bool is_lit = (k == 0) != swapped;
             const double bias = allowance(probe, double{along}, cosine);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <kit/channels.hpp>
 #include <limits>
 #include <umbral/core/random.hpp>
 #include <umbral/raytracing/transparent_z_buffer.hpp>
@@ -30,14 +31,8 @@ inline glm::vec3 random_light(Random& random, float most)
 /// The same, but of four one has a single channel, or lacks one.
 inline glm::vec3 random_tint(Random& random, float most)
 {
-    glm::vec3 light = random_light(random, most);
-    const std::uint32_t kind = random.below(24);
-    if (kind >= 6) return light;
-    const auto channel = static_cast<int>(kind % 3);
-    const float kept = light[channel];
-    if (kind < 3) light = glm::vec3(0);
-    light[channel] = kind < 3 ? kept : 0;
-    return light;
+    const glm::vec3 light = random_light(random, most);
+    return random.below(4) == 0 ? some_channels(random, light) : light;
 }
 
 /// Light and depths at random; a quarter of the pixels is empty, and one in eight far brighter than the others.

@@ -37,8 +37,7 @@ void planes(Case& c, Recorder& out)
         record("random", origin, i % 8 == 0 ? glm::vec3(0) : axis);
         if (i % 5 != 1) continue;
         // Coordinates that are 0 or equal, and questions that differ in one number from the one before.
-        const auto any = [](const auto& /*plane*/) { return true; };
-        for (const auto& [from, along] : numbers_changed(c.random, std::pair(origin, axis), 4, any))
+        for (const auto& [from, along] : numbers_changed(c.random, std::pair(origin, axis), 4))
             record("random", from, along);
         record("random", axis, axis);
         record("random", {0, 0, 0}, axis);

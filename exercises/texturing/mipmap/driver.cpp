@@ -150,7 +150,6 @@ void changed_levels(Random& random, Recorder& out)
     using Distances = std::pair<float, float>;
     using Steps = std::pair<glm::vec2, glm::vec2>;
     const auto is_positive = [](const Distances& d) { return d.first > 0 && d.second > 0; };
-    const auto any = [](const Steps& /*steps*/) { return true; };
     for (int i = 0; i < 20; ++i) {
         const float near = random.uniform(0.2F, 2);
         for (const auto& [distance, one] : numbers_changed(random, Distances(3 * near, near), 2, is_positive))
@@ -161,7 +160,7 @@ void changed_levels(Random& random, Recorder& out)
 
         glm::ivec2 size(1 << (3 + random.below(7)), 1 << (3 + random.below(7)));
         const Steps steps(random_step(random, -4, 0), random_step(random, -4, 0));
-        for (const auto& [by_x, by_y] : numbers_changed(random, steps, 4, any)) {
+        for (const auto& [by_x, by_y] : numbers_changed(random, steps, 4)) {
             out.append("steps", ask<level_of_step>(out, by_x, by_y, size));
             if (i % 4 == 0) out.append("steps", ask<level_of_step>(out, by_x, by_x, size));
             size[i % 2] = size[i % 2] == 1 ? 64 : size[i % 2] / 2;
@@ -241,8 +240,16 @@ const Driver driver = {
     {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
     {"textures", [](Case& c, Recorder& out) { textures(c.random, out); }},
     {"refused", [](Case& c, Recorder& out) { record_refusals(c.random, out); }},
-    {"levels", [](Case& c, Recorder& out) { levels(c.random, out), changed_levels(c.random, out); }},
-    {"blends", [](Case& c, Recorder& out) { blends(c.random, out), changed_blends(c.random, out); }},
+    {"levels",
+     [](Case& c, Recorder& out) {
+         levels(c.random, out);
+         changed_levels(c.random, out);
+     }},
+    {"blends",
+     [](Case& c, Recorder& out) {
+         blends(c.random, out);
+         changed_blends(c.random, out);
+     }},
     {"extreme", [](Case& c, Recorder& out) { extreme(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { out.image("colours", picture(out, 480, 300, c.vary)); }},
 };
