@@ -33,6 +33,10 @@ inline void record_rates(Recorder& out, Random& random)
 // Pictures at odd times, some of them before the first step; times that stand still or go back change nothing.
 inline void record_odd_times(Recorder& out, Random& random)
 {
+    const auto record_after = [&](BouncingBall& ball, std::int64_t microseconds) {
+        ask<&BouncingBall::advance>(out, ball, microseconds);
+        out.append("place", glm::vec3(ask<&BouncingBall::position>(out, ball)));
+    };
     for (int i = 0; i < 8; ++i) {
         const std::unique_ptr<BouncingBall> ball = ask_new<make_bouncing_ball>(out, "ball", random_launch(random));
         if (!ball) continue;
@@ -41,17 +45,13 @@ inline void record_odd_times(Recorder& out, Random& random)
             const std::uint32_t kind = random.below(6);
             const std::int64_t some = 1 + random.below(kind < 3 ? 4900 : 150'000);
             const std::int64_t nothing = k % 2 == 0 ? 0 : -some;
-            ask<&BouncingBall::advance>(out, *ball, kind == 5 ? nothing : some);
-            out.append("place", glm::vec3(ask<&BouncingBall::position>(out, *ball)));
+            record_after(*ball, kind == 5 ? nothing : some);
         }
     }
     for (const BallLaunch& launch : special_launches(random)) {
         const std::unique_ptr<BouncingBall> ball = ask_new<make_bouncing_ball>(out, "ball", launch);
         if (!ball) continue;
-        for (int k = 0; k < 12; ++k) {
-            ask<&BouncingBall::advance>(out, *ball, 60'000 + random.below(60'000));
-            out.append("place", glm::vec3(ask<&BouncingBall::position>(out, *ball)));
-        }
+        for (int k = 0; k < 12; ++k) record_after(*ball, 60'000 + random.below(60'000));
     }
     // Steep throws, looked at in the air after one long call, in which some have met the floor and kept all of their
     // speed, or only when an hour has gone by in one.
@@ -60,8 +60,7 @@ inline void record_odd_times(Recorder& out, Random& random)
         const auto ball = ask_new<make_bouncing_ball>(out, "ball", random_throw(random, keeps_all));
         if (!ball) continue;
         const std::int64_t in_the_air = (keeps_all ? 1'500'000 : 260'000) + std::int64_t{random.below(150'000)};
-        ask<&BouncingBall::advance>(out, *ball, i % 2 == 0 ? in_the_air : 3'600'000'000);
-        out.append("place", glm::vec3(ask<&BouncingBall::position>(out, *ball)));
+        record_after(*ball, i % 2 == 0 ? in_the_air : 3'600'000'000);
     }
 }
 

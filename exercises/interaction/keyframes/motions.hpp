@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <kit/axial.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/interaction/keyframes.hpp>
 #include <umbral/record/variation.hpp>
@@ -27,9 +28,7 @@ inline UnitQuaternion random_orientation(Random& random)
 /// About an axis that lies in a plane of two axes, or along one: a coordinate is 0, or two are.
 inline UnitQuaternion about_flat_axis(Random& random, int missing)
 {
-    glm::dvec3 axis(random.unit_vector());
-    axis[missing] = 0;
-    if (random.below(3) == 0) axis[(missing + 1) % 3] = 0;
+    const glm::dvec3 axis(axial_vector(random, missing));
     return about(axis, 0.3 + 2.2 * random.uniform_double());
 }
 

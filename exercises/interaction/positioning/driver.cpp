@@ -257,7 +257,10 @@ const Driver driver = {
     {"pixels", [](Case& c, Recorder& out) { record_pixels(out, c.random); }},
     {"linear", [](Case& c, Recorder& out) { record_linear(c.vary, out); }},
     {"random linear",
-     [](Case& c, Recorder& out) { record_random_linear(out, c.random), record_changed_linear(out, c.random); }},
+     [](Case& c, Recorder& out) {
+         record_random_linear(out, c.random);
+         record_changed_linear(out, c.random);
+     }},
     {"planes", [](Case& c, Recorder& out) { record_planes(c.vary, out); }},
     {"random planes", [](Case& c, Recorder& out) { record_random_planes(out, c.random); }},
     {"moves", [](Case& c, Recorder& out) { record_moves(out, c.random); }},

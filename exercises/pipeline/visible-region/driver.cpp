@@ -268,7 +268,11 @@ const Driver driver = {
     {"known boxes", known_matrices},
     {"random boxes", random_matrices},
     {"odd boxes", odd_boxes},
-    {"points", [](Case& c, Recorder& out) { record_points(c.random, out, 4, true), changed_points(c.random, out); }},
+    {"points",
+     [](Case& c, Recorder& out) {
+         record_points(c.random, out, 4, true);
+         changed_points(c.random, out);
+     }},
     {"far away",
      [](Case& c, Recorder& out) {
          for (const float away : {1e3F, 1e4F, 1e5F, 1e6F}) record_points(c.random, out, away, false);

@@ -1,3 +1,4 @@
+#include <kit/axial.hpp>
 #include <kit/numbers_changed.hpp>
 #include <limits>
 #include <umbral/record/driver.hpp>
@@ -66,26 +67,17 @@ glm::vec3 off_the_seam(Random& random)
     return {std::sin(longitude) * std::cos(latitude), std::sin(latitude), -std::cos(longitude) * std::cos(latitude)};
 }
 
-// Unit, with one coordinate 0 or two.
-glm::vec3 axial_normal(Random& random, int axis)
-{
-    glm::vec3 normal = random.unit_vector();
-    normal[axis] = 0;
-    if (random.below(3) == 0) normal[(axis + 1) % 3] = 0;
-    return normalize(normal);
-}
-
 // What random directions and places are not: 0 in a coordinate, or equal coordinates; a question that differs from the
 // one before in one number or in its face only. Ties of the box are exact ones. Elsewhere nothing comes close to where
 // an answer jumps or roundings grow: off the panorama's axis and the way back, off -z, off the rim of the ball's map.
 void record_changed(Random& random, Recorder& out, int i)
 {
     using Mirror = std::pair<glm::vec3, glm::vec3>;
-    const glm::vec3 normal = i % 20 == 0 ? random.unit_vector() : axial_normal(random, i / 10 % 3);
+    const glm::vec3 normal = i % 20 == 0 ? random.unit_vector() : axial_vector(random, i / 10 % 3);
     const Mirror mirror(2.0F * random.unit_vector(), normal);
     for (const auto& [v, n] : numbers_changed(random, mirror, 3, [&](const Mirror& m) { return m.second == normal; }))
         out.append("mirror", ask<mirrored_direction>(out, v, n));
-    out.append("mirror", ask<mirrored_direction>(out, mirror.first, axial_normal(random, i / 10 % 3)));
+    out.append("mirror", ask<mirrored_direction>(out, mirror.first, axial_vector(random, i / 10 % 3)));
     out.append("mirror", ask<mirrored_direction>(out, normal, normal));
 
     const auto is_clear = [](const glm::vec3& d) {
@@ -104,7 +96,7 @@ void record_changed(Random& random, Recorder& out, int i)
         out.append("panorama", ask<panorama_place>(out, d));
 
     const auto is_off_back = [](const glm::vec3& d) { return length(d) > 0.01F && d.z > -0.9F * length(d); };
-    const glm::vec3 seen(glm::vec2(axial_normal(random, 2)), random.uniform(-1, 2));
+    const glm::vec3 seen(glm::vec2(axial_vector(random, 2)), random.uniform(-1, 2));
     for (const glm::vec3& d : numbers_changed(random, seen, 3, is_off_back))
         out.append("sphere", ask<sphere_place>(out, d));
 
