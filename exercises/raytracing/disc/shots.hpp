@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <kit/axial.hpp>
 #include <optional>
 #include <umbral/raytracing/disc.hpp>
 #include <vector>
@@ -33,8 +32,11 @@ inline Disc random_disc(Random& random)
 {
     const glm::vec3 centre = 5.0F * random.in_cube();
     // One in six faces at right angles to an axis.
-    const glm::vec3 normal =
-        random.below(6) == 0 ? axial_vector(random, static_cast<int>(random.below(3))) : random.unit_vector();
+    glm::vec3 normal = random.unit_vector();
+    if (random.below(6) == 0) {
+        normal[static_cast<int>(random.below(3))] = 0;
+        normal = normalize(normal);
+    }
     const float length = std::exp2(random.uniform(-4, 4));
     return {centre, random.below(2) == 0 ? normal : length * normal, random.uniform(0.5F, 2)};
 }
